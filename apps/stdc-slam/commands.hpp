@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace stdc::app {
+
+// Each adds its subcommand to the program; the work is done in the subcommand's callback, which throws
+// stdc::Error for whatever the user can mend (exit code 2).
+
+}  // namespace stdc::app

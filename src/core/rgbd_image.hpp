@@ -1,0 +1,14 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace stdc {
+
+/// One frame of an RGB-D camera. Both images have the size of the camera and share its raw pixels.
+struct RgbdImage {
+  double timestamp = 0;  ///< [s]
+  cv::Mat colour;        ///< 8-bit grey (CV_8UC1) or BGR (CV_8UC3)
+  cv::Mat depth;  ///< CV_16UC1 in Camera::depth_units_per_metre, or CV_32FC1 in metres; <= 0 or NaN: missing
+};
+
+}  // namespace stdc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "core/pose.hpp"
+
+namespace stdc {
+
+/// A camera pose at a time, as TUM files have it: position and attitude of the camera in the world.
+struct StampedPose {
+  double timestamp = 0;  ///< [s]
+  Pose world_from_cam;
+};
+using Trajectory = std::vector<StampedPose>;
+
+/// Reads "timestamp tx ty tz qx qy qz qw" lines; '#' starts a comment. Throws Error (file:line) for a missing
+/// or empty file, a wrong count of numbers, NaN, a zero quaternion, or times that do not increase.
+Trajectory read_trajectory(const std::filesystem::path& path);
+/// The same from a stream; `name` stands for the file in errors.
+Trajectory read_trajectory(std::istream& stream, const std::string& name);
+/// Text of a trajectory in the same format: times with 6 decimals, numbers with 9.
+std::string format_trajectory(const Trajectory& trajectory);
+
+}  // namespace stdc

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/pose.hpp"
+#include "estimation/noise_settings.hpp"
+
+namespace stdc {
+
+/// A point seen by a camera of the problem; indices into the problem's lists.
+struct BundleObservation {
+  std::int32_t pose = 0;
+  std::int32_t point = 0;
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< ideal (undistorted) pixel
+  float depth = 0;                                  ///< measured z [m]; <= 0: none
+  float scale = 1;  ///< of the keypoint's pyramid level; multiplies pixel_sigma
+};
+
+/// A bundle adjustment problem on plain data; solved in place.
+struct BundleProblem {
+  std::vector<Pose> cam_from_world;
+  std::vector<std::uint8_t> pose_fixed;         ///< same length; at least one should be 1
+  std::vector<Eigen::Vector3d> points;          ///< world [m]
+  std::vector<BundleObservation> observations;  ///< grouped by point: point indices never decrease
+};
+
+/// Settings of the bundle adjustment.
+struct BundleSettings {
+  int robust_iterations = 5;
+  int final_iterations = 5;
+  double relative_decrease_to_stop = 1e-4;
+
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit(Setting{"robust_iterations", "count",
+                  "Most iterations of the first stage, all observations, Huber kernel", 1, 100},
+          self.robust_iterations);
+    visit(Setting{"final_iterations", "count", "Most iterations of the second stage, outliers set aside", 0,
+                  100},
+          self.final_iterations);
+    visit(Setting{"relative_decrease_to_stop", "ratio",
+                  "A stage ends when the cost falls by less than this share", 0, 0.1},
+          self.relative_decrease_to_stop);
+  }
+};
+
+struct BundleResult {
+  bool usable = false;  ///< false: the problem is left as it was (degenerate, non-finite)
+  int iterations = 0;
+  double initial_cost = 0, final_cost = 0;  ///< robust costs over all observations
+  std::vector<std::uint8_t> inlier;  ///< per observation: 1 inlier, 0 outlier (chi-square at 95 %, z > 0)
+};
+
+/// Levenberg-Marquardt with Schur complement over the points, Huber kernels; first all observations, then
+/// without the outliers (scheme: Mur-Artal and Tardos, 'ORB-SLAM2', T-RO 2017; Schur elimination: Triggs et
+/// al., 'Bundle Adjustment - A Modern Synthesis', 2000). Never throws; same input, same bytes.
+/// A point without an observation stays where it is.
+BundleResult bundle_adjust(const Camera& camera, BundleProblem& problem, const NoiseSettings& noise,
+                           const BundleSettings& settings);
+
+}  // namespace stdc

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/setting.hpp"
+
+namespace stdc {
+
+/// Noise of the two kinds of measurement that a keypoint gives.
+/// A depth camera that triangulates has sigma_z = k z^2 (Khoshelham and Oude Elberink, 'Accuracy and
+/// Resolution of Kinect Depth Data', Sensors 2012), which is a constant sigma of the inverse depth: k.
+struct NoiseSettings {
+  double pixel_sigma = 1.0;
+  double inverse_depth_sigma = 0.01;
+
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit(Setting{"pixel_sigma", "px", "Noise of a keypoint on pyramid level 0; grows with the level's scale",
+                  0.01, 20},
+          self.pixel_sigma);
+    visit(Setting{"inverse_depth_sigma", "1/m", "Noise of the inverse depth: sigma_z = this * z^2", 1e-5, 1},
+          self.inverse_depth_sigma);
+  }
+};
+
+}  // namespace stdc

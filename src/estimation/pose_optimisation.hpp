@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/pose.hpp"
+#include "estimation/noise_settings.hpp"
+
+namespace stdc {
+
+/// A landmark seen by a keypoint.
+struct PoseObservation {
+  Eigen::Vector3d point_in_world = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();           ///< ideal (undistorted) pixel
+  float depth = 0;  ///< measured z [m]; <= 0: none, a monocular observation
+  float scale = 1;  ///< of the keypoint's pyramid level; multiplies pixel_sigma
+};
+
+/// Settings of the pose-only optimisation.
+struct PoseOptimisationSettings {
+  int rounds = 4;
+  int iterations_per_round = 10;
+  int minimum_observations = 3;
+
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit(Setting{"rounds", "count", "Rounds of optimisation, outliers being told anew after each", 1, 20},
+          self.rounds);
+    visit(Setting{"iterations_per_round", "count", "Most iterations of a round; it stops when converged", 1,
+                  100},
+          self.iterations_per_round);
+    visit(Setting{"minimum_observations", "count", "Fewer observations than this give no pose", 3, 100},
+          self.minimum_observations);
+  }
+};
+
+struct PoseOptimisationResult {
+  bool usable =
+      false;  ///< false: too few observations or a singular or non-finite system; the pose is the initial one
+  Pose cam_from_world;
+  std::vector<std::uint8_t> inlier;  ///< per observation: 1 inlier, 0 outlier (chi-square at 95 %)
+  int inliers = 0;
+};
+
+/// Finds the pose that minimises the robust reprojection and inverse-depth error of fixed landmarks:
+/// Levenberg-Marquardt on SE(3), Huber kernel, several rounds with outliers set aside and taken back
+/// (scheme: Mur-Artal and Tardos, 'ORB-SLAM2', T-RO 2017, sec. III). Never throws; same input, same bytes.
+PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseObservation> observations,
+                                     const Pose& initial_cam_from_world, const NoiseSettings& noise,
+                                     const PoseOptimisationSettings& settings);
+
+}  // namespace stdc

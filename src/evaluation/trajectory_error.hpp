@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "datasets/trajectory.hpp"
+
+namespace stdc {
+
+struct ErrorStatistics {
+  double rmse = 0, mean = 0, median = 0, maximum = 0;
+};
+
+/// Errors of an estimated trajectory against the truth.
+struct TrajectoryScores {
+  int pairs = 0;                           ///< poses of the estimate that found a true one
+  ErrorStatistics ate;                     ///< absolute trajectory error after SE(3) alignment [m]
+  ErrorStatistics rpe_frame_translation;   ///< relative error from pair to next pair [m]
+  ErrorStatistics rpe_frame_rotation;      ///< the same [deg]
+  ErrorStatistics rpe_second_translation;  ///< relative error over one second [m]
+  ErrorStatistics rpe_second_rotation;     ///< the same [deg]
+  double coverage = 0;       ///< share of the truth's time span (or of `frames`) that has a pose, 0..1
+  Pose truth_from_estimate;  ///< the alignment
+};
+
+/// Scores an estimate as TUM's tools and evo do: pairs at most `max_difference` seconds apart, SE(3) Umeyama
+/// alignment (ATE; Sturm et al., IROS 2012), relative errors between pairs. Throws Error if fewer than 3
+/// pairs. `frames`: number of input frames, for the coverage of a run.
+TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& estimate,
+                                  double max_difference = 0.02, std::optional<int> frames = {});
+
+}  // namespace stdc

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+
+#include "features/feature_settings.hpp"
+#include "features/keypoint.hpp"
+
+namespace stdc {
+
+/// Extracts ORB features from one image: pyramid, FAST candidates, quadtree, orientation, steered BRIEF.
+///
+///     FeatureExtractor extractor({.keypoints = 1000});
+///     Features features = extractor.extract(grey);
+///
+/// The two halves can also be called apart, with a mask of dynamic pixels between them: `detect` needs the
+/// image only and may run beside segmentation; `select` spends the whole budget on the static candidates.
+/// An extractor keeps its buffers between images; use one per thread. Same image, same bytes.
+class FeatureExtractor {
+ public:
+  /// Throws Error if the settings are invalid.
+  explicit FeatureExtractor(const FeatureSettings& settings = {});
+  ~FeatureExtractor();
+  FeatureExtractor(FeatureExtractor&&) noexcept;
+  FeatureExtractor& operator=(FeatureExtractor&&) noexcept;
+
+  /// `grey`: CV_8UC1, any size of at least 64 x 64. Equal to detect() and then select({}).
+  Features extract(const cv::Mat& grey);
+  /// Builds the pyramid and finds the candidates (Alg. 2). `grey` is copied.
+  void detect(const cv::Mat& grey);
+  /// Drops the candidates on pixels where `dynamic_mask` (CV_8UC1, size of the image; empty: none) is not
+  /// zero, then selects (Alg. 3), orients and describes the rest. To be called once after detect().
+  Features select(const cv::Mat& dynamic_mask);
+
+  int levels(cv::Size image_size) const;
+  /// Scale of a level: level-0 pixels per pixel of that level, scale_factor^level.
+  float scale(int level) const;
+  const FeatureSettings& settings() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace stdc
