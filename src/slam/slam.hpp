@@ -25,19 +25,19 @@ enum class KeypointState : std::uint8_t { unmatched, inlier, outlier };
 
 /// Wall milliseconds of the tracking thread spent on one frame, by stage.
 struct StageTimes {
-  double extraction = 0;   ///< pyramid to descriptors
-  double prediction = 0;   ///< matching to the last frame or the reference keyframe, first optimisation
-  double local_map = 0;    ///< matching to the local map, second optimisation
-  double keyframe = 0;     ///< deciding on and inserting a keyframe, taking in the mapper's result
-  double wait = 0;         ///< waiting for the mapper's result, where it is due and not there
-  double total = 0;        ///< of track()
-  double total_cpu = 0;    ///< CPU milliseconds of the tracking thread in track()
+  double extraction = 0;  ///< pyramid to descriptors
+  double prediction = 0;  ///< matching to the last frame or the reference keyframe, first optimisation
+  double local_map = 0;   ///< matching to the local map, second optimisation
+  double keyframe = 0;    ///< deciding on and inserting a keyframe, taking in the mapper's result
+  double wait = 0;        ///< waiting for the mapper's result, where it is due and not there
+  double total = 0;       ///< of track()
+  double total_cpu = 0;   ///< CPU milliseconds of the tracking thread in track()
 };
 
 /// The outcome of local mapping on one keyframe, reported with the frame that took it in.
 struct MappingReport {
-  double total_ms = 0;             ///< wall, of the mapping thread
-  double bundle_adjustment_ms = 0; ///< wall, of which local bundle adjustment
+  double total_ms = 0;              ///< wall, of the mapping thread
+  double bundle_adjustment_ms = 0;  ///< wall, of which local bundle adjustment
   int bundle_keyframes = 0, bundle_landmarks = 0, bundle_observations = 0;
 };
 
@@ -48,13 +48,13 @@ struct TrackingResult {
   TrackingStatus status = TrackingStatus::initialising;
   std::optional<Pose> cam_from_world;  ///< as known now; there if status is ok. World: the first camera
   int keypoints_high = 0, keypoints_low = 0;  ///< by quality
-  int matches = 0;  ///< keypoints matched to landmarks before the last optimisation
-  int inliers = 0;  ///< of which it accepted
+  int matches = 0;                            ///< keypoints matched to landmarks before the last optimisation
+  int inliers = 0;                            ///< of which it accepted
   bool is_keyframe = false;
   StageTimes milliseconds;
   std::optional<MappingReport> mapping;
-  std::vector<Keypoint> keypoints;               ///< raw pixels; filled if SystemSettings.report_keypoints
-  std::vector<KeypointState> keypoint_states;    ///< same length
+  std::vector<Keypoint> keypoints;             ///< raw pixels; filled if SystemSettings.report_keypoints
+  std::vector<KeypointState> keypoint_states;  ///< same length
 };
 
 /// A pose of the finished trajectory.

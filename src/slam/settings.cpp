@@ -1,0 +1,12 @@
+#include "slam/settings.hpp"
+
+#include "core/error.hpp"
+
+namespace stdc {
+
+void Settings::validate() const {
+  describe(*this, [](const char* section, const auto& settings) { check_ranges(section, settings); });
+  features.validate();
+}
+
+}  // namespace stdc

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "estimation/bundle_adjustment.hpp"
+#include "estimation/noise_settings.hpp"
+#include "estimation/pose_optimisation.hpp"
+#include "features/feature_settings.hpp"
+#include "mapping/mapping_settings.hpp"
+#include "tracking/tracking_settings.hpp"
+
+namespace stdc {
+
+/// Settings of the system as a whole.
+struct SystemSettings {
+  int mapping_latency = 4;
+  bool report_keypoints = false;
+
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit(
+        Setting{
+            "mapping_latency", "frames",
+            "A keyframe's mapping runs beside tracking and is taken in after this many frames; 0: at once", 0,
+            100},
+        self.mapping_latency);
+    visit(Setting{"report_keypoints", "", "Return every frame's keypoints, for drawing"},
+          self.report_keypoints);
+  }
+};
+
+/// All settings, by section. One YAML file mirrors them: see settings_io.hpp.
+struct Settings {
+  FeatureSettings features;
+  NoiseSettings noise;
+  TrackingSettings tracking;
+  PoseOptimisationSettings pose_optimisation;
+  MappingSettings mapping;
+  BundleSettings bundle_adjustment;
+  SystemSettings system;
+
+  /// Calls visit("section", section_struct) for each section.
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit("features", self.features);
+    visit("noise", self.noise);
+    visit("tracking", self.tracking);
+    visit("pose_optimisation", self.pose_optimisation);
+    visit("mapping", self.mapping);
+    visit("bundle_adjustment", self.bundle_adjustment);
+    visit("system", self.system);
+  }
+
+  /// Throws Error naming "section.field".
+  void validate() const;
+};
+
+}  // namespace stdc
