@@ -1,0 +1,57 @@
+#include "features/frame_features.hpp"
+
+namespace stdc {
+
+float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
+  if (x < 0 || y < 0 || x >= depth.cols || y >= depth.rows) return 0;
+  const float z = depth.type() == CV_32FC1
+                      ? depth.at<float>(y, x)
+                      : static_cast<float>(depth.at<std::uint16_t>(y, x) / units_per_metre);
+  return std::isfinite(z) && z > 0 ? z : 0;
+}
+
+FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth,
+                             double scale_factor)
+    : keypoints_(std::move(features.keypoints)),
+      descriptors_(std::move(features.descriptors)),
+      log_scale_factor_(static_cast<float>(std::log(scale_factor))) {
+  const std::size_t count = keypoints_.size();
+  pixels_.reserve(count);
+  depths_.reserve(count);
+  int highest = 0;
+  for (const Keypoint& keypoint : keypoints_) {
+    pixels_.push_back(camera.undistort({keypoint.x, keypoint.y}).cast<float>());
+    depths_.push_back(depth_at(depth, camera.depth_units_per_metre, static_cast<int>(std::lround(keypoint.x)),
+                               static_cast<int>(std::lround(keypoint.y))));
+    highest = std::max<int>(highest, keypoint.level);
+  }
+  for (int level = 0; level <= highest; ++level) {
+    scales_.push_back(static_cast<float>(std::pow(scale_factor, level)));
+  }
+  build_index(camera);
+}
+
+int FrameFeatures::count(KeypointQuality quality) const {
+  return static_cast<int>(std::count_if(keypoints_.begin(), keypoints_.end(),
+                                        [&](const Keypoint& k) { return k.quality == quality; }));
+}
+
+void FrameFeatures::build_index(const Camera& camera) {
+  columns_ = static_cast<int>(std::ceil(static_cast<float>(camera.width) / kCellSize));
+  rows_ = static_cast<int>(std::ceil(static_cast<float>(camera.height) / kCellSize));
+  cell_start_.assign(columns_ * rows_ + 1, 0);
+  // Counting sort by cell; ideal pixels outside the image go to the nearest cell.
+  const auto cell_of = [&](std::size_t i) {
+    return cell(pixels_[i].y(), rows_) * columns_ + cell(pixels_[i].x(), columns_);
+  };
+  for (std::size_t i = 0; i < pixels_.size(); ++i) ++cell_start_[cell_of(i) + 1];
+  for (std::size_t c = 1; c < cell_start_.size(); ++c) cell_start_[c] += cell_start_[c - 1];
+  std::vector<std::uint32_t> next(cell_start_.begin(), cell_start_.end() - 1);
+  by_cell_.resize(pixels_.size());
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    by_cell_[next[cell_of(i)]++] = {pixels_[i].x(), pixels_[i].y(), static_cast<std::uint32_t>(i),
+                                    keypoints_[i].level};
+  }
+}
+
+}  // namespace stdc

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "features/keypoint.hpp"
+
+namespace stdc {
+
+/// What a frame has seen: its features in ideal (undistorted) pixels, with their depths, and an index by
+/// position. Immutable once built, so that a keyframe can share it with the frame it was made of.
+class FrameFeatures {
+ public:
+  /// @param features      of the image, in raw pixels
+  /// @param depth         registered depth image (CV_16UC1 or CV_32FC1), or empty: all depths missing
+  /// @param scale_factor  of the pyramid that the features come from
+  FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth, double scale_factor);
+
+  int size() const { return static_cast<int>(keypoints_.size()); }
+  /// In raw pixels, as extracted.
+  const Keypoint& keypoint(int i) const { return keypoints_[i]; }
+  const Descriptor& descriptor(int i) const { return descriptors_[i]; }
+  /// Ideal pixel.
+  const Eigen::Vector2f& pixel(int i) const { return pixels_[i]; }
+  /// z in the camera frame [m]; 0: missing.
+  float depth(int i) const { return depths_[i]; }
+  /// Level-0 pixels per pixel of a pyramid level.
+  float scale(int level) const { return scales_[level]; }
+  float scale_of(int i) const { return scales_[keypoints_[i].level]; }
+  int levels() const { return static_cast<int>(scales_.size()); }
+  float log_scale_factor() const { return log_scale_factor_; }
+  const std::vector<Keypoint>& keypoints() const { return keypoints_; }
+  int count(KeypointQuality quality) const;
+
+  /// Calls visit(i) for the keypoints within `radius` [px] of an ideal pixel along each axis (a square
+  /// window) whose level lies in [lowest, highest], in a fixed order.
+  template <typename Visit>
+  void for_each_in_window(float x, float y, float radius, int lowest, int highest, Visit&& visit) const {
+    const int x0 = cell(x - radius, columns_), x1 = cell(x + radius, columns_);
+    const int y0 = cell(y - radius, rows_), y1 = cell(y + radius, rows_);
+    for (int row = y0; row <= y1; ++row) {
+      // Cells of a row lie one after the other: one run of indices per row.
+      const std::uint32_t end = cell_start_[row * columns_ + x1 + 1];
+      for (std::uint32_t k = cell_start_[row * columns_ + x0]; k < end; ++k) {
+        const Indexed& entry = by_cell_[k];
+        if (entry.level < lowest || entry.level > highest) continue;
+        if (std::abs(entry.x - x) <= radius && std::abs(entry.y - y) <= radius) {
+          visit(static_cast<int>(entry.index));
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr float kCellSize = 16;  ///< [px]
+  struct Indexed {
+    float x, y;
+    std::uint32_t index;
+    std::int32_t level;
+  };
+
+  static int cell(float coordinate, int cells) {
+    return std::clamp(static_cast<int>(coordinate * (1 / kCellSize)), 0, cells - 1);
+  }
+  void build_index(const Camera& camera);
+
+  std::vector<Keypoint> keypoints_;
+  std::vector<Descriptor> descriptors_;
+  std::vector<Eigen::Vector2f> pixels_;
+  std::vector<float> depths_;
+  std::vector<float> scales_;
+  float log_scale_factor_ = 0;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t>
+      cell_start_;  ///< first entry of each cell in by_cell_, row by row; one more at the end
+  std::vector<Indexed> by_cell_;
+};
+
+/// Depth [m] at a pixel of a registered depth image; 0 where missing, not finite or outside.
+float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y);
+
+}  // namespace stdc

@@ -1,0 +1,67 @@
+#include "features/frame_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+
+namespace stdc {
+namespace {
+
+Features random_features(int count, std::uint64_t seed) {
+  Random random(seed);
+  Features features;
+  for (int i = 0; i < count; ++i) {
+    Keypoint keypoint;
+    keypoint.x = static_cast<float>(random.uniform(0, 639));
+    keypoint.y = static_cast<float>(random.uniform(0, 479));
+    keypoint.level = static_cast<std::uint8_t>(random.below(6));
+    features.keypoints.push_back(keypoint);
+  }
+  features.descriptors.resize(count);
+  return features;
+}
+
+TEST(FrameFeatures, WindowFindsWhatASearchOfAllFinds) {
+  Camera camera;
+  camera.k1 = 0.2;  // pushes ideal pixels about, some out of the image
+  const FrameFeatures frame(camera, random_features(800, 1), {}, 1.2);
+  Random random(2);
+  for (int trial = 0; trial < 300; ++trial) {
+    const float x = static_cast<float>(random.uniform(-50, 700)),
+                y = static_cast<float>(random.uniform(-50, 520));
+    const float radius = static_cast<float>(random.uniform(1, 60));
+    std::vector<int> found, expected;
+    frame.for_each_in_window(x, y, radius, 1, 4, [&](int i) { found.push_back(i); });
+    for (int i = 0; i < frame.size(); ++i) {
+      const int level = frame.keypoint(i).level;
+      if (level >= 1 && level <= 4 && std::abs(frame.pixel(i).x() - x) <= radius &&
+          std::abs(frame.pixel(i).y() - y) <= radius) {
+        expected.push_back(i);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(FrameFeatures, ReadsDepthOfBothKindsAndMarksTheMissing) {
+  cv::Mat units(480, 640, CV_16UC1, cv::Scalar(10000)), metres(480, 640, CV_32FC1, cv::Scalar(2));
+  units.at<std::uint16_t>(5, 7) = 0;
+  metres.at<float>(5, 7) = std::numeric_limits<float>::quiet_NaN();
+  for (const cv::Mat& image : {units, metres}) {
+    EXPECT_FLOAT_EQ(depth_at(image, 5000, 100, 100), 2);
+    EXPECT_EQ(depth_at(image, 5000, 7, 5), 0);
+    EXPECT_EQ(depth_at(image, 5000, -1, 5), 0);
+    EXPECT_EQ(depth_at(image, 5000, 640, 5), 0);
+  }
+  EXPECT_EQ(depth_at({}, 5000, 3, 3), 0);
+}
+
+TEST(FrameFeatures, EmptyFrameIsFine) {
+  const FrameFeatures frame(Camera(), {}, {}, 1.2);
+  EXPECT_EQ(frame.size(), 0);
+  frame.for_each_in_window(10, 10, 1000, 0, 9, [](int) { FAIL(); });
+}
+
+}  // namespace
+}  // namespace stdc
