@@ -7,6 +7,7 @@
 
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
+#include "datasets/image_codec.hpp"
 #include "datasets/trajectory.hpp"
 
 namespace stdc {
@@ -16,7 +17,8 @@ struct SequenceFrame {
   double timestamp = 0;        ///< of the colour image [s]
   double depth_timestamp = 0;  ///< [s]
   std::filesystem::path colour, depth;
-  int line = 0;  ///< of rgb.txt, for messages
+  int line = 0;        ///< of rgb.txt, for messages
+  int depth_line = 0;  ///< of depth.txt
 };
 
 /// A folder in TUM RGB-D layout: rgb.txt, depth.txt, optional groundtruth.txt and camera.yaml.
@@ -42,7 +44,8 @@ class TumSequence {
 
 /// Reads both images of a frame. `camera` is for checking sizes and depth. Throws Error naming the image for
 /// a missing, truncated or undecodable file, wrong size, wrong bit depth or channels.
-RgbdImage load_frame(const SequenceFrame& frame, const Camera& camera);
+RgbdImage load_frame(const SequenceFrame& frame, const Camera& camera,
+                     ColourMode mode = ColourMode::as_stored);
 
 /// The camera of a sequence: camera.yaml in the folder, else `camera_file`, else the TUM freiburg1/2/3
 /// calibration named in the folder's name. Throws Error if none is known or the file is wrong.
