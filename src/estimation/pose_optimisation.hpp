@@ -42,7 +42,12 @@ struct PoseOptimisationResult {
       false;  ///< false: too few observations or a singular or non-finite system; the pose is the initial one
   Pose cam_from_world;
   std::vector<std::uint8_t> inlier;  ///< per observation: 1 inlier, 0 outlier (chi-square at 95 %)
+  /// Per observation: 1 where it is an inlier and its depth agrees too, 0 where there is none or it does not.
+  std::vector<std::uint8_t> depth_inlier;
   int inliers = 0;
+  /// Inverse covariance of the pose at the solution, of the inliers, for a left perturbation
+  /// exp(twist) * cam_from_world with twist = (translation [m], rotation [rad]). Zero if not usable.
+  Matrix6d information = Matrix6d::Zero();
 };
 
 /// Finds the pose that minimises the robust reprojection and inverse-depth error of fixed landmarks:

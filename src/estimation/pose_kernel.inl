@@ -1,0 +1,86 @@
+// The linearisation of the pose-only problem. Included by the kernel sources only, inside of their namespace.
+
+/// Where four landmarks are seen, relative to the measurements and in units of their sigmas.
+struct PoseResiduals {
+  Lanes x, y, inverse_z;  ///< point over z, and 1 / z
+  Lanes u, v, depth;      ///< residuals
+  Lanes in_front;         ///< 1 or 0
+};
+
+STDC_INLINE void pose_residuals(const PoseFour& four, const PinholeView& view, PoseResiduals* out) {
+  const double* r = view.rotation;
+  const Lanes x = load(four.x), y = load(four.y), z = load(four.z);
+  const Lanes px = r[0] * x + r[1] * y + r[2] * z + view.translation[0];
+  const Lanes py = r[3] * x + r[4] * y + r[5] * z + view.translation[1];
+  const Lanes pz = r[6] * x + r[7] * y + r[8] * z + view.translation[2];
+  out->in_front = pz > kNearestDepth ? all(1.0) : all(0.0);
+  out->inverse_z = 1.0 / (pz > kNearestDepth ? pz : all(1.0));
+  out->x = px * out->inverse_z;
+  out->y = py * out->inverse_z;
+  const Lanes inverse_sigma = load(four.inverse_sigma);
+  out->u = (view.fx * out->x + view.cx - load(four.u)) * inverse_sigma;
+  out->v = (view.fy * out->y + view.cy - load(four.v)) * inverse_sigma;
+  out->depth = (out->inverse_z - load(four.inverse_depth)) * load(four.depth_weight);
+}
+
+STDC_INLINE void pose_classify(const PoseResiduals& e, PoseFour* four) {
+  const Lanes present = load(four->inverse_sigma) > 0.0 ? e.in_front : all(0.0);
+  const Lanes pixel = e.u * e.u + e.v * e.v <= kPixelBend ? present : all(0.0);
+  const Lanes near = e.depth * e.depth <= kDepthBend ? pixel : all(0.0);
+  store(four->use_pixel, pixel);
+  store(four->use_depth, load(four->depth_weight) > 0.0 ? near : all(0.0));
+}
+
+/// Adds w * row * (row, residual) to the 27 sums of H and g; entry `zero` of the row is known to be 0.
+template <int zero_a, int zero_b, int zero_c>
+STDC_INLINE void add_row(const Lanes (&row)[6], const Lanes& weight, const Lanes& residual, Lanes* sums) {
+  int k = 0;
+  for (int i = 0; i < 6; ++i) {
+    const bool skip_i = i == zero_a || i == zero_b || i == zero_c;
+    const Lanes weighted = weight * row[i];
+    for (int j = i; j < 6; ++j, ++k) {
+      if (!skip_i && j != zero_a && j != zero_b && j != zero_c) sums[k] += weighted * row[j];
+    }
+    if (!skip_i) sums[21 + i] += weighted * residual;
+  }
+}
+
+STDC_INLINE void add_pose_four(const PoseFour& four, const PinholeView& view, const PoseResiduals& e,
+                               Lanes* sums) {
+  Lanes pixel_weight, pixel_cost, depth_weight, depth_cost;
+  huber(e.u * e.u + e.v * e.v, kPixelBend, &pixel_weight, &pixel_cost);
+  huber(e.depth * e.depth, kDepthBend, &depth_weight, &depth_cost);
+  const Lanes use_pixel = load(four.use_pixel), use_depth = load(four.use_depth);
+  const Lanes cost = pixel_cost * use_pixel + depth_cost * use_depth;
+  sums[27] += e.in_front > 0.0 ? cost : kBehindCost * use_pixel;
+  pixel_weight *= use_pixel * e.in_front;
+  depth_weight *= use_depth * e.in_front;
+
+  const Lanes inverse_sigma = load(four.inverse_sigma);
+  const Lanes a = view.fx * inverse_sigma, b = view.fy * inverse_sigma, c = load(four.depth_weight);
+  const Lanes xy = e.x * e.y, none = all(0.0);
+  const Lanes u_row[6] = {a * e.inverse_z,       none,    -a * e.x * e.inverse_z, -a * xy,
+                          a * (1.0 + e.x * e.x), -a * e.y};
+  const Lanes v_row[6] = {none,   b * e.inverse_z, -b * e.y * e.inverse_z, -b * (1.0 + e.y * e.y),
+                          b * xy, b * e.x};
+  const Lanes d =
+      -c * e.inverse_z;  // d(1/z) = -dz / z^2, dz = (0, 0, 1, y, -x, 0) for (translation, rotation)
+  const Lanes d_row[6] = {none, none, d * e.inverse_z, d * e.y, -d * e.x, none};
+  add_row<1, -1, -1>(u_row, pixel_weight, e.u, sums);
+  add_row<0, -1, -1>(v_row, pixel_weight, e.v, sums);
+  add_row<0, 1, 5>(d_row, depth_weight, e.depth, sums);
+}
+
+void linearise_pose(PoseFour* fours, std::size_t count, const PinholeView& view, bool reclassify,
+                    PoseSystem* system) {
+  Lanes sums[28] = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    PoseResiduals residuals;
+    pose_residuals(fours[i], view, &residuals);
+    if (reclassify) pose_classify(residuals, &fours[i]);
+    add_pose_four(fours[i], view, residuals, sums);
+  }
+  for (int k = 0; k < 21; ++k) system->h[k] = sum(sums[k]);
+  for (int k = 0; k < 6; ++k) system->g[k] = sum(sums[21 + k]);
+  system->cost = 0.5 * sum(sums[27]);
+}
