@@ -11,21 +11,19 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
 }
 
 FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth,
-                             double scale_factor)
+                             double scale_factor, int levels)
     : keypoints_(std::move(features.keypoints)),
       descriptors_(std::move(features.descriptors)),
       log_scale_factor_(static_cast<float>(std::log(scale_factor))) {
   const std::size_t count = keypoints_.size();
   pixels_.reserve(count);
   depths_.reserve(count);
-  int highest = 0;
   for (const Keypoint& keypoint : keypoints_) {
     pixels_.push_back(camera.undistort({keypoint.x, keypoint.y}).cast<float>());
     depths_.push_back(depth_at(depth, camera.depth_units_per_metre, static_cast<int>(std::lround(keypoint.x)),
                                static_cast<int>(std::lround(keypoint.y))));
-    highest = std::max<int>(highest, keypoint.level);
   }
-  for (int level = 0; level <= highest; ++level) {
+  for (int level = 0; level < levels; ++level) {
     scales_.push_back(static_cast<float>(std::pow(scale_factor, level)));
   }
   build_index(camera);

@@ -19,7 +19,9 @@ class FrameFeatures {
   /// @param features      of the image, in raw pixels
   /// @param depth         registered depth image (CV_16UC1 or CV_32FC1), or empty: all depths missing
   /// @param scale_factor  of the pyramid that the features come from
-  FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth, double scale_factor);
+  /// @param levels        of that pyramid
+  FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth, double scale_factor,
+                int levels);
 
   int size() const { return static_cast<int>(keypoints_.size()); }
   /// In raw pixels, as extracted.

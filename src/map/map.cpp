@@ -1,0 +1,245 @@
+#include "map/map.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "features/hamming.hpp"
+
+namespace stdc {
+namespace {
+
+auto find_observation(auto& observations, KeyframeId keyframe) {
+  return std::lower_bound(observations.begin(), observations.end(), keyframe,
+                          [](const Observation& o, KeyframeId id) { return o.keyframe < id; });
+}
+
+/// Index of the descriptor whose median distance to all is least (Mur-Artal et al., 'ORB-SLAM', T-RO 2015).
+int medoid(int count, const auto& descriptor) {
+  if (count <= 2) return 0;
+  std::vector<int> distances(static_cast<std::size_t>(count) * count, 0);
+  for (int i = 0; i < count; ++i) {
+    for (int j = i + 1; j < count; ++j) {
+      distances[i * count + j] = distances[j * count + i] = hamming_distance(descriptor(i), descriptor(j));
+    }
+  }
+  int best = 0, least = 257;
+  for (int i = 0; i < count; ++i) {
+    const auto row = distances.begin() + i * count;
+    std::nth_element(row, row + count / 2, row + count);
+    if (row[count / 2] < least) {
+      least = row[count / 2];
+      best = i;
+    }
+  }
+  return best;
+}
+
+bool more_shared(const Covisible& a, const Covisible& b) {
+  return a.shared != b.shared ? a.shared > b.shared : a.keyframe < b.keyframe;
+}
+
+}  // namespace
+
+KeyframeId Map::add_keyframe(int frame, double timestamp, const Pose& cam_from_world,
+                             std::shared_ptr<const FrameFeatures> features) {
+  auto keyframe = std::make_unique<Keyframe>();
+  keyframe->id = {static_cast<std::uint32_t>(keyframes_.size())};
+  keyframe->frame = frame;
+  keyframe->timestamp = timestamp;
+  keyframe->cam_from_world = cam_from_world;
+  keyframe->landmarks.resize(features->size());
+  keyframe->features = std::move(features);
+  keyframes_.push_back(std::move(keyframe));
+  removed_.emplace_back();
+  ++keyframe_count_;
+  return keyframes_.back()->id;
+}
+
+LandmarkId Map::add_landmark(const Eigen::Vector3d& position, KeyframeId created_by) {
+  auto landmark = std::make_unique<Landmark>();
+  landmark->id = {static_cast<std::uint32_t>(landmarks_.size())};
+  landmark->position = position;
+  landmark->created_by = created_by;
+  landmarks_.push_back(std::move(landmark));
+  ++landmark_count_;
+  return landmarks_.back()->id;
+}
+
+bool Map::observe(KeyframeId keyframe_id, int keypoint, LandmarkId landmark_id) {
+  Keyframe& keyframe = *keyframes_[keyframe_id.value];
+  Landmark& landmark = *landmarks_[landmark_id.value];
+  if (keyframe.landmarks[keypoint].valid()) return false;
+  const auto place = find_observation(landmark.observations, keyframe_id);
+  if (place != landmark.observations.end() && place->keyframe == keyframe_id) return false;
+  landmark.observations.insert(place, {keyframe_id, keypoint});
+  keyframe.landmarks[keypoint] = landmark_id;
+  return true;
+}
+
+void Map::forget(KeyframeId keyframe_id, int keypoint) {
+  LandmarkId& slot = keyframes_[keyframe_id.value]->landmarks[keypoint];
+  if (!slot.valid()) return;
+  Landmark& landmark = *landmarks_[slot.value];
+  slot = {};
+  landmark.observations.erase(find_observation(landmark.observations, keyframe_id));
+  if (landmark.observations.empty()) remove(landmark.id);
+}
+
+int Map::keypoint_of(LandmarkId landmark, KeyframeId keyframe) const {
+  const auto& observations = landmarks_[landmark.value]->observations;
+  const auto place = find_observation(observations, keyframe);
+  return place != observations.end() && place->keyframe == keyframe ? place->keypoint : -1;
+}
+
+void Map::merge(LandmarkId from, LandmarkId into) {
+  if (from == into) return;
+  const std::vector<Observation> observations = landmarks_[from.value]->observations;
+  const int visible = landmarks_[from.value]->visible, found = landmarks_[from.value]->found;
+  remove(from);
+  for (const Observation& o : observations) observe(o.keyframe, o.keypoint, into);
+  count_visible(into, visible);
+  count_found(into, found);
+  refresh(into);
+}
+
+void Map::remove(LandmarkId id) {
+  for (const Observation& o : landmarks_[id.value]->observations) {
+    keyframes_[o.keyframe.value]->landmarks[o.keypoint] = {};
+  }
+  landmarks_[id.value].reset();
+  --landmark_count_;
+}
+
+void Map::remove(KeyframeId id) {
+  Keyframe& keyframe = *keyframes_[id.value];
+  if (!keyframe.parent.valid()) return;
+  const std::vector<LandmarkId> seen = keyframe.landmarks;
+  for (int i = 0; i < static_cast<int>(seen.size()); ++i) forget(id, i);
+  for (const LandmarkId landmark : seen) {
+    if (landmark.valid() && has(landmark)) refresh(landmark);
+  }
+  for (const Covisible& c : keyframe.covisible) set_covisible(c.keyframe, id, 0);
+  reparent_children(keyframe);
+  const Pose& parent_from_world = keyframes_[keyframe.parent.value]->cam_from_world;
+  removed_[id.value] = std::make_unique<Removed>(
+      Removed{keyframe.parent, keyframe.cam_from_world * parent_from_world.inverse()});
+  keyframes_[id.value].reset();
+  --keyframe_count_;
+}
+
+/// Each child goes to the covisible keyframe with which it shares most and which is no descendant of the
+/// child, or else to the removed keyframe's parent. A parent is always older than its child, so "no
+/// descendant" is "older".
+void Map::reparent_children(const Keyframe& removed) {
+  for (const auto& child : keyframes_) {
+    if (child == nullptr || child->parent != removed.id) continue;
+    child->parent = removed.parent;
+    for (const Covisible& c : child->covisible) {
+      if (c.keyframe == removed.id || !(c.keyframe < child->id)) continue;
+      child->parent = c.keyframe;
+      break;
+    }
+  }
+}
+
+void Map::refresh(LandmarkId id) {
+  Landmark& landmark = *landmarks_[id.value];
+  if (landmark.observations.empty()) return;
+  // Descriptor: the one with the least median distance to the others.
+  const auto& observations = landmark.observations;
+  const int count = static_cast<int>(observations.size());
+  const auto descriptor = [&](int i) -> const Descriptor& {
+    const Observation& o = observations[i];
+    return keyframes_[o.keyframe.value]->features->descriptor(o.keypoint);
+  };
+  landmark.descriptor = descriptor(medoid(count, descriptor));
+
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Observation& o : observations) {
+    const Eigen::Vector3d ray = landmark.position - keyframes_[o.keyframe.value]->cam_from_world.centre();
+    const double length = ray.norm();
+    if (length > 0) sum += ray / length;
+  }
+  const double norm = sum.norm();
+  if (norm > 0) landmark.direction = (sum / norm).cast<float>();
+
+  // The level at which the oldest observation saw it fixes at which distances which level sees it.
+  const Observation& reference = observations.front();
+  const Keyframe& keyframe = *keyframes_[reference.keyframe.value];
+  const FrameFeatures& features = *keyframe.features;
+  const auto distance = static_cast<float>((landmark.position - keyframe.cam_from_world.centre()).norm());
+  landmark.largest_distance = distance * features.scale_of(reference.keypoint);
+  landmark.smallest_distance = landmark.largest_distance / features.scale(features.levels() - 1);
+}
+
+void Map::update_covisibility(KeyframeId id) {
+  Keyframe& keyframe = *keyframes_[id.value];
+  std::vector<int> shared(keyframes_.size(), 0);
+  for (const LandmarkId landmark : keyframe.landmarks) {
+    if (!landmark.valid()) continue;
+    for (const Observation& o : landmarks_[landmark.value]->observations) ++shared[o.keyframe.value];
+  }
+  shared[id.value] = 0;
+  const auto best =
+      static_cast<std::uint32_t>(std::max_element(shared.begin(), shared.end()) - shared.begin());
+  std::vector<Covisible> covisible;
+  for (std::uint32_t other = 0; other < shared.size(); ++other) {
+    if (keyframes_[other] == nullptr || other == id.value) continue;
+    const bool enough = shared[other] >= kLeastShared || (other == best && shared[other] > 0);
+    set_covisible({other}, id, enough ? shared[other] : 0);
+    if (enough) covisible.push_back({{other}, shared[other]});
+  }
+  std::sort(covisible.begin(), covisible.end(), more_shared);
+  keyframe.covisible = std::move(covisible);
+  if (keyframe.parent.valid() || id.value == 0) return;
+  for (const Covisible& c : keyframe.covisible) {
+    if (!(c.keyframe < id)) continue;
+    keyframe.parent = c.keyframe;
+    return;
+  }
+  // It shares nothing with any older one: the keyframe before it is as good as any.
+  for (std::uint32_t other = id.value; other-- > 0 && !keyframe.parent.valid();) {
+    if (keyframes_[other] != nullptr) keyframe.parent = {other};
+  }
+}
+
+void Map::set_covisible(KeyframeId of, KeyframeId other, int shared) {
+  auto& list = keyframes_[of.value]->covisible;
+  const auto place =
+      std::find_if(list.begin(), list.end(), [&](const Covisible& c) { return c.keyframe == other; });
+  if (place != list.end()) {
+    if (place->shared == shared) return;
+    list.erase(place);
+  }
+  if (shared == 0) return;
+  const Covisible entry{other, shared};
+  list.insert(std::lower_bound(list.begin(), list.end(), entry, more_shared), entry);
+}
+
+Map::Anchor Map::resolve(KeyframeId id) const {
+  Anchor anchor{id, Pose()};
+  while (!has(anchor.keyframe)) {
+    const Removed& removed = *removed_[anchor.keyframe.value];
+    anchor.cam_from_anchor = anchor.cam_from_anchor * removed.cam_from_parent;
+    anchor.keyframe = removed.parent;
+  }
+  return anchor;
+}
+
+std::vector<KeyframeId> Map::keyframe_ids() const {
+  std::vector<KeyframeId> ids;
+  for (const auto& keyframe : keyframes_) {
+    if (keyframe != nullptr) ids.push_back(keyframe->id);
+  }
+  return ids;
+}
+
+std::vector<LandmarkId> Map::landmark_ids() const {
+  std::vector<LandmarkId> ids;
+  for (const auto& landmark : landmarks_) {
+    if (landmark != nullptr) ids.push_back(landmark->id);
+  }
+  return ids;
+}
+
+}  // namespace stdc

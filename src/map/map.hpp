@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "core/pose.hpp"
+#include "map/keyframe.hpp"
+#include "map/landmark.hpp"
+
+namespace stdc {
+
+/// Landmarks, keyframes and who sees whom. The map owns both; everyone else holds ids. Not synchronised: one
+/// worker at a time has the map.
+///
+/// References returned stay valid until the thing itself is removed. Ids are never reused: what was removed
+/// is found to be gone (`has`), and its memory is freed.
+class Map {
+ public:
+  KeyframeId add_keyframe(int frame, double timestamp, const Pose& cam_from_world,
+                          std::shared_ptr<const FrameFeatures> features);
+  LandmarkId add_landmark(const Eigen::Vector3d& position, KeyframeId created_by);
+
+  bool has(KeyframeId id) const { return id.value < keyframes_.size() && keyframes_[id.value] != nullptr; }
+  bool has(LandmarkId id) const { return id.value < landmarks_.size() && landmarks_[id.value] != nullptr; }
+  const Keyframe& keyframe(KeyframeId id) const { return *keyframes_[id.value]; }
+  const Landmark& landmark(LandmarkId id) const { return *landmarks_[id.value]; }
+
+  void set_pose(KeyframeId id, const Pose& cam_from_world) {
+    keyframes_[id.value]->cam_from_world = cam_from_world;
+  }
+  void set_position(LandmarkId id, const Eigen::Vector3d& position) {
+    landmarks_[id.value]->position = position;
+  }
+  void count_visible(LandmarkId id, int frames) { landmarks_[id.value]->visible += frames; }
+  void count_found(LandmarkId id, int frames) { landmarks_[id.value]->found += frames; }
+
+  /// Notes on both sides that a keypoint sees a landmark. False, and nothing is changed, if the keypoint has
+  /// a landmark already or the keyframe sees the landmark with another keypoint.
+  bool observe(KeyframeId keyframe, int keypoint, LandmarkId landmark);
+  /// Takes that back. A landmark that nobody sees any more is removed.
+  void forget(KeyframeId keyframe, int keypoint);
+  /// The keypoint with which a keyframe sees a landmark, or -1.
+  int keypoint_of(LandmarkId landmark, KeyframeId keyframe) const;
+  /// All that sees `from` now sees `into`, counts are added, `from` is removed.
+  void merge(LandmarkId from, LandmarkId into);
+  void remove(LandmarkId id);
+  /// Removes a keyframe: its observations go, its children get new parents. It is remembered where it was
+  /// relative to its parent (see `resolve`). The first keyframe cannot be removed.
+  void remove(KeyframeId id);
+
+  /// Recomputes descriptor, viewing direction and distance range of a landmark from its observations.
+  void refresh(LandmarkId id);
+  /// Recomputes the covisible keyframes of a keyframe (sharing at least kLeastShared landmarks, or else the
+  /// best one), on both sides; gives it a parent if it has none.
+  void update_covisibility(KeyframeId id);
+
+  /// A keyframe still in the map and the pose of `id` relative to it: itself, or, if it was removed, the
+  /// nearest ancestor that was not.
+  struct Anchor {
+    KeyframeId keyframe;
+    Pose cam_from_anchor;
+  };
+  Anchor resolve(KeyframeId id) const;
+
+  /// All keyframes and landmarks, by id.
+  std::vector<KeyframeId> keyframe_ids() const;
+  std::vector<LandmarkId> landmark_ids() const;
+  int keyframe_count() const { return keyframe_count_; }
+  int landmark_count() const { return landmark_count_; }
+  /// One more than the largest landmark id so far, for tables by id.
+  std::size_t landmark_id_limit() const { return landmarks_.size(); }
+  std::size_t keyframe_id_limit() const { return keyframes_.size(); }
+
+  static constexpr int kLeastShared =
+      15;  ///< landmarks that make keyframes covisible (Mur-Artal et al., 2015)
+
+ private:
+  struct Removed {
+    KeyframeId parent;
+    Pose cam_from_parent;
+  };
+  void set_covisible(KeyframeId of, KeyframeId other, int shared);
+  void reparent_children(const Keyframe& removed);
+
+  std::vector<std::unique_ptr<Keyframe>> keyframes_;
+  std::vector<std::unique_ptr<Landmark>> landmarks_;
+  std::vector<std::unique_ptr<Removed>> removed_;  ///< by keyframe id
+  int keyframe_count_ = 0, landmark_count_ = 0;
+};
+
+}  // namespace stdc
