@@ -2,11 +2,19 @@
 
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "features/feature_settings.hpp"
 #include "features/keypoint.hpp"
 
 namespace stdc {
+
+/// The quadtree node that a keypoint was chosen from; for pictures. Edges in raw pixels of the full-size
+/// image.
+struct SelectionCell {
+  int level = 0;
+  float left = 0, top = 0, right = 0, bottom = 0;
+};
 
 /// Extracts ORB features from one image: pyramid, FAST candidates, quadtree, orientation, steered BRIEF.
 ///
@@ -36,6 +44,8 @@ class FeatureExtractor {
   /// Scale of a level: level-0 pixels per pixel of that level, scale_factor^level.
   float scale(int level) const;
   const FeatureSettings& settings() const;
+  /// The quadtree cells of the keypoints that the last select() gave, in their order.
+  const std::vector<SelectionCell>& cells() const;
 
  private:
   struct Implementation;

@@ -1,0 +1,163 @@
+#include "features/extractor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/blur.hpp"
+#include "features/brief.hpp"
+#include "features/candidates.hpp"
+#include "features/fast.hpp"
+#include "features/harris.hpp"
+#include "features/mask.hpp"
+#include "features/orientation.hpp"
+#include "features/pyramid.hpp"
+#include "features/quadtree.hpp"
+
+namespace stdc {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+void check_image(const cv::Mat& image, const char* what) {
+  constexpr int kSmallest = 64, kLargest = 32767;
+  if (image.type() != CV_8UC1) {
+    throw Error(what, "the image is not of 8-bit grey levels", "convert it to CV_8UC1");
+  }
+  if (std::min(image.cols, image.rows) < kSmallest || std::max(image.cols, image.rows) > kLargest) {
+    throw Error(what, fmt::format("an image of {} x {} pixels", image.cols, image.rows),
+                fmt::format("give one of {} to {} pixels each way", kSmallest, kLargest));
+  }
+}
+
+}  // namespace
+
+struct FeatureExtractor::Implementation {
+  explicit Implementation(const FeatureSettings& s) : settings(s) { settings.validate(); }
+
+  Cell area(int level) const {
+    const cv::Size size = pyramid.sizes()[at(level)];
+    return {kBorder, kBorder, size.width - kBorder, size.height - kBorder};
+  }
+  float scale(int level) const { return static_cast<float>(std::pow(settings.scale_factor, level)); }
+  void detect(const cv::Mat& grey);
+  Features select(const cv::Mat& dynamic_mask);
+  std::span<const Corner> static_corners(int level);
+  int select_level(int level, int budget, Features& features);
+
+  FeatureSettings settings;
+  Pyramid pyramid;
+  std::vector<int> budgets;
+  std::vector<std::vector<Corner>> corners;  // by level, at T_L
+  std::vector<PaddedImage> smoothed;         // by level
+  DynamicArea dynamic;
+  std::vector<Corner> kept;
+  CandidateChooser chooser;
+  std::vector<Candidate> candidates;
+  Quadtree quadtree;
+  BriefExtractor brief;
+  std::vector<SelectionCell> cells;
+};
+
+void FeatureExtractor::Implementation::detect(const cv::Mat& grey) {
+  check_image(grey, "FeatureExtractor::detect");
+  pyramid.build(grey, settings);
+  budgets = level_budgets(settings, pyramid.sizes());
+  corners.resize(at(pyramid.levels()));
+  smoothed.resize(at(pyramid.levels()));
+  for (int i = 0; i < pyramid.levels(); ++i) {
+    corners[at(i)].clear();
+    if (budgets[at(i)] == 0) continue;
+    const ImageView image = pyramid.level(i).view();
+    find_fast_corners(image, kBorder, settings.threshold_low, corners[at(i)]);
+    gaussian_blur(image, smoothed[at(i)]);
+  }
+}
+
+std::span<const Corner> FeatureExtractor::Implementation::static_corners(int level) {
+  if (dynamic.empty()) return corners[at(level)];
+  // The circle of FAST and the smoothing of the pixels beside the corner stay off the dynamic object; to keep
+  // the whole descriptor patch off would cost the static points near people, which hold the pose best.
+  constexpr float kMargin = 4;  // level pixels
+  const float s = scale(level);
+  kept.clear();
+  for (const Corner& corner : corners[at(level)]) {
+    if (!dynamic.touches(level_to_image(corner.x, s), level_to_image(corner.y, s), kMargin * s)) {
+      kept.push_back(corner);
+    }
+  }
+  return kept;
+}
+
+int FeatureExtractor::Implementation::select_level(int level, int budget, Features& features) {
+  const ImageView image = pyramid.level(level).view();
+  candidates = chooser.choose(static_corners(level), area(level), budget, settings);
+  if (settings.selection == Selection::improved) {
+    for (Candidate& candidate : candidates)
+      candidate.response = harris_response(image, candidate.x, candidate.y);
+  }
+  const std::vector<int>& winners = quadtree.select(candidates, area(level), budget, settings.selection);
+  const float s = scale(level);
+  for (const int winner : winners) {
+    const Candidate& c = candidates[at(winner)];
+    const float angle = intensity_centroid_angle(image, c.x, c.y);
+    features.keypoints.push_back({level_to_image(c.x, s), level_to_image(c.y, s), angle, c.response,
+                                  static_cast<std::uint8_t>(level), c.quality});
+    features.descriptors.push_back(brief.describe(smoothed[at(level)].view(), c.x, c.y, angle));
+  }
+  for (const Cell& cell : quadtree.cells()) {
+    // Edges lie between pixels: half a pixel before the first one.
+    const auto edge = [&](int e) { return static_cast<float>(e) * s - 0.5F; };
+    cells.push_back({level, edge(cell.left), edge(cell.top), edge(cell.right), edge(cell.bottom)});
+  }
+  return static_cast<int>(winners.size());
+}
+
+Features FeatureExtractor::Implementation::select(const cv::Mat& dynamic_mask) {
+  if (pyramid.levels() == 0) {
+    throw Error("FeatureExtractor::select", "no image was given", "call detect() before it");
+  }
+  if (!dynamic_mask.empty()) {
+    check_image(dynamic_mask, "FeatureExtractor::select");
+    if (dynamic_mask.size() != pyramid.sizes()[0]) {
+      throw Error("FeatureExtractor::select", "the mask is not of the size of the image", "resize the mask");
+    }
+  }
+  dynamic.set(dynamic_mask);
+  Features features;
+  features.keypoints.reserve(at(settings.keypoints));
+  features.descriptors.reserve(at(settings.keypoints));
+  cells.clear();
+  int unspent = 0;
+  for (int level = 0; level < pyramid.levels(); ++level) {
+    if (budgets[at(level)] == 0) continue;
+    const int budget = budgets[at(level)] + unspent;
+    unspent = budget - select_level(level, budget, features);
+    if (settings.selection == Selection::orb_slam3) unspent = 0;
+  }
+  return features;
+}
+
+FeatureExtractor::FeatureExtractor(const FeatureSettings& settings)
+    : implementation_(std::make_unique<Implementation>(settings)) {}
+FeatureExtractor::~FeatureExtractor() = default;
+FeatureExtractor::FeatureExtractor(FeatureExtractor&&) noexcept = default;
+FeatureExtractor& FeatureExtractor::operator=(FeatureExtractor&&) noexcept = default;
+
+Features FeatureExtractor::extract(const cv::Mat& grey) {
+  detect(grey);
+  return select({});
+}
+void FeatureExtractor::detect(const cv::Mat& grey) { implementation_->detect(grey); }
+Features FeatureExtractor::select(const cv::Mat& dynamic_mask) {
+  return implementation_->select(dynamic_mask);
+}
+int FeatureExtractor::levels(cv::Size image_size) const {
+  return level_count(implementation_->settings, image_size);
+}
+float FeatureExtractor::scale(int level) const { return implementation_->scale(level); }
+const FeatureSettings& FeatureExtractor::settings() const { return implementation_->settings; }
+const std::vector<SelectionCell>& FeatureExtractor::cells() const { return implementation_->cells; }
+
+}  // namespace stdc
