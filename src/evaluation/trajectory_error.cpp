@@ -168,6 +168,10 @@ TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& est
   scores.ate = absolute_error(pairs, scores.truth_from_estimate);
   relative_error(pairs, frame_steps(pairs), scores.rpe_frame_translation, scores.rpe_frame_rotation);
   relative_error(pairs, second_steps(pairs), scores.rpe_second_translation, scores.rpe_second_rotation);
+  for (const ErrorStatistics& errors :
+       {scores.ate, scores.rpe_frame_translation, scores.rpe_second_translation}) {
+    if (!std::isfinite(errors.rmse)) refuse_numbers();
+  }
   scores.coverage =
       frames ? static_cast<double>(estimate.size()) / std::max(1, *frames) : time_coverage(truth, estimate);
   return scores;
