@@ -123,13 +123,18 @@ const std::vector<int>& Quadtree::select(std::span<const Candidate> candidates, 
     const Node& node = nodes_[static_cast<std::size_t>(i)];
     return node.end - node.begin;
   };
+  const auto rank = [&](int i) {
+    return selection == Selection::improved ? nodes_[static_cast<std::size_t>(i)].high : 0;
+  };
   while (nodes_.size() < static_cast<std::size_t>(budget)) {
     queue_.clear();
     for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
       if (may_split(points(i), nodes_[static_cast<std::size_t>(i)].high, selection)) queue_.push_back(i);
     }
     if (queue_.empty()) break;
-    std::stable_sort(queue_.begin(), queue_.end(), [&](int a, int b) { return points(a) > points(b); });
+    std::stable_sort(queue_.begin(), queue_.end(), [&](int a, int b) {
+      return std::pair(rank(a), points(a)) > std::pair(rank(b), points(b));
+    });
     next_.clear();
     std::size_t untouched = nodes_.size();  // nodes of this depth that are not split (yet)
     for (const int i : queue_) {

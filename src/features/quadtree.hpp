@@ -31,10 +31,10 @@ struct Cell {
 ///
 /// What the papers leave open: the roots are near-square, max(1, round(w / h)) x max(1, round(h / w)), and
 /// each is split at once into 4 (the 4 nodes of Alg. 3 for a 4:3 image). Nodes are split in passes over all
-/// nodes of a depth, those with most points first, and the pass stops as soon as there are `budget` nodes.
-/// The last split can yield up to 3 more than the budget; the weakest winners, low quality first, are then
-/// dropped, so that there are never more winners than the budget. There are fewer if no node can be split any
-/// more.
+/// nodes of a depth, those with most points first (improved: with most points of high quality, then with most
+/// points), and the pass stops as soon as there are `budget` nodes. The last split can yield up to 3 more
+/// than the budget; the weakest winners, low quality first, are then dropped, so that there are never more
+/// winners than the budget. There are fewer if no node can be split any more.
 class Quadtree {
  public:
   /// @param candidates  all inside `area`, no two on the same pixel
