@@ -50,8 +50,10 @@ struct BundleSettings {
 struct BundleResult {
   bool usable = false;  ///< false: the problem is left as it was (degenerate, non-finite)
   int iterations = 0;
-  double initial_cost = 0, final_cost = 0;  ///< robust costs over all observations
+  double initial_cost = 0, final_cost = 0;  ///< robust costs over all observations: half of the sum of rho
   std::vector<std::uint8_t> inlier;  ///< per observation: 1 inlier, 0 outlier (chi-square at 95 %, z > 0)
+  /// Per observation: 1 where it is an inlier and its depth agrees too, 0 where there is none or it does not.
+  std::vector<std::uint8_t> depth_inlier;
 };
 
 /// Levenberg-Marquardt with Schur complement over the points, Huber kernels; first all observations, then

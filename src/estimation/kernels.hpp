@@ -39,11 +39,101 @@ inline constexpr double kNearestDepth = 1e-3;
 /// gain (Huber's cost of a pixel 1000 sigma away).
 inline constexpr double kBehindCost = 4890.0;
 
+/// Four observations of a bundle adjustment, lane by lane. A lane without observation has inverse_sigma 0.
+struct alignas(32) BundleFour {
+  float u[kLanes], v[kLanes];                                   ///< pixel [px]
+  float inverse_depth[kLanes];                                  ///< measured [1/m]
+  float inverse_sigma[kLanes], depth_weight[kLanes];            ///< as in PoseFour
+  float used_inverse_sigma[kLanes], used_depth_weight[kLanes];  ///< the same, or 0: set aside
+  std::int32_t pose[kLanes], point[kLanes];
+};
+
+/// A camera pose: row r of its rotation (cam_from_world) and coordinate r of its centre in the world [m].
+struct alignas(32) BundleView {
+  double rows[3][4];
+};
+
+struct alignas(32) BundlePoint {
+  double position[4];  ///< world [m]; the last is 0
+};
+
+/// What four observations add to the normal equations of their points: the upper triangle of J^T W J row by
+/// row, and J^T W r, with J with respect to the point in the world. The blocks of the cameras follow from
+/// these: a camera turned by phi and moved by -rho about its own centre c sees the point as if that had moved
+/// by rho + phi x (point - c).
+struct alignas(32) BundleTerm {
+  double hessian[6][kLanes], gradient[3][kLanes];
+};
+
+struct Intrinsics {
+  double fx, fy, cx, cy;
+};
+
+/// A 6x6 block of the reduced camera system, column by column with a stride of 8; the last two rows are
+/// padding.
+inline constexpr std::size_t kBlock = 48;
+/// Six numbers of a camera, padded.
+inline constexpr std::size_t kSegment = 8;
+
+/// A damped point of the eliminated system: the inverse of its damped 3x3 Hessian (upper triangle), gradient,
+/// and what damping added to the diagonal.
+struct PointSystem {
+  double inverse[6], gradient[3], damping[3];
+};
+
+/// The observations in their order of elimination: grouped by point, within it by the camera's slot in the
+/// reduced system; slot -1: the camera does not move.
+struct SchurInput {
+  const BundleFour* fours;
+  const BundleTerm* terms;
+  const BundleView* views;
+  const BundlePoint* points;
+  const std::uint32_t* point_start;  ///< first observation of each point, and the end
+  std::size_t point_count;
+  const std::int32_t* slot;             ///< of each observation
+  const std::uint32_t* diagonal_block;  ///< of each slot: its index in `blocks`
+  const std::uint32_t* pair_block;      ///< of each pair of moving observations of a point, in order
+  double damping;
+};
+struct SchurOutput {
+  PointSystem* points;
+  double* blocks;            ///< lower triangle of the reduced system, zeroed by the caller
+  double* gradient;          ///< of each slot, before elimination; zeroed
+  double* reduced_gradient;  ///< of each slot, after it; zeroed
+  double* diagonal;          ///< of each slot, of the undamped Hessian; zeroed
+  double* scratch;           ///< 24 doubles for each moving observation of the largest point
+};
+
+/// Lower triangle of a symmetric block matrix by columns; the first block of a column is its diagonal.
+struct BlockColumns {
+  std::size_t size;
+  const std::uint32_t* start;  ///< first block of each column, and the end
+  const std::int32_t* row;     ///< block row of each block, ascending
+};
+
 struct Table {
   /// Linearises all observations at `view`. With `reclassify` first tells anew which of them take part:
   /// pixel within the 95 % quantile and in front of the camera; depth within its own quantile as well.
   void (*linearise_pose)(PoseFour* fours, std::size_t count, const PinholeView& view, bool reclassify,
                          PoseSystem* system);
+  /// Linearises all observations of a bundle adjustment. Returns half of the sum of the robust costs.
+  double (*linearise_bundle)(const BundleFour* fours, std::size_t count, const BundleView* views,
+                             const BundlePoint* points, const Intrinsics& camera, BundleTerm* terms);
+  /// Tells anew which observations take part (as in linearise_pose). Returns half of the sum of the robust
+  /// costs of all of them.
+  double (*classify_bundle)(BundleFour* fours, std::size_t count, const BundleView* views,
+                            const BundlePoint* points, const Intrinsics& camera);
+  /// Eliminates the points from the damped normal equations (Schur complement).
+  void (*eliminate_points)(const SchurInput& in, const SchurOutput& out);
+  /// Moves the points for given steps of the cameras (8 numbers for each slot): writes the new points and
+  /// returns twice the decrease of the cost that the linear model expects of the points' part of the step.
+  double (*substitute_points)(const SchurInput& in, const PointSystem* systems, const double* steps,
+                              BundlePoint* moved);
+  /// Cholesky factorisation in place (the pattern has room for the fill); the diagonal blocks become the
+  /// inverses of the factor's. False if the matrix is not positive definite.
+  bool (*factorise)(const BlockColumns& columns, double* blocks);
+  /// Solves with the factor, in place; 8 numbers for each block row.
+  void (*solve)(const BlockColumns& columns, const double* blocks, double* x);
 };
 
 /// The fastest set of kernels that this processor runs.

@@ -9,13 +9,19 @@ namespace {
 
 constexpr double kPixelBend = kChiSquare95Pixel, kDepthBend = kChiSquare95Depth;
 
+// clang-format off: each file needs those before it
 #include "estimation/lanes.inl"
 #include "estimation/pose_kernel.inl"
+#include "estimation/bundle_kernel.inl"
+#include "estimation/schur_kernel.inl"
+#include "estimation/cholesky_kernel.inl"
+// clang-format on
 
 }  // namespace
 
 extern const Table table;
-const Table table = {linearise_pose};
+const Table table = {
+    linearise_pose, linearise_bundle, classify_bundle, eliminate_points, substitute_points, factorise, solve};
 
 }  // namespace STDC_KERNELS
 }  // namespace stdc::kernels
