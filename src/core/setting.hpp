@@ -21,7 +21,7 @@ namespace stdc {
 ///     }
 ///
 /// and the printing, reading, range checks and records of settings are all made from that list.
-/// Field types: bool, int, double, std::string, and enums that have an EnumNames.
+/// Field types: bool, int, double, and enums that have an EnumNames.
 struct Setting {
   const char* name;
   const char* unit;         ///< "px", "m", "s", "count", "" ...

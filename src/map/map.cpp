@@ -153,7 +153,13 @@ void Map::refresh(LandmarkId id) {
     return keyframes_[o.keyframe.value]->features->descriptor(o.keypoint);
   };
   landmark.descriptor = descriptor(medoid(count, descriptor));
+  refresh_geometry(id);
+}
 
+void Map::refresh_geometry(LandmarkId id) {
+  Landmark& landmark = *landmarks_[id.value];
+  const auto& observations = landmark.observations;
+  if (observations.empty()) return;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Observation& o : observations) {
     const Eigen::Vector3d ray = landmark.position - keyframes_[o.keyframe.value]->cam_from_world.centre();

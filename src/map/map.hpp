@@ -51,6 +51,8 @@ class Map {
 
   /// Recomputes descriptor, viewing direction and distance range of a landmark from its observations.
   void refresh(LandmarkId id);
+  /// Only direction and distance range: after positions or poses have moved.
+  void refresh_geometry(LandmarkId id);
   /// Recomputes the covisible keyframes of a keyframe (sharing at least kLeastShared landmarks, or else the
   /// best one), on both sides; gives it a parent if it has none.
   void update_covisibility(KeyframeId id);

@@ -19,7 +19,7 @@ concept EnumSetting = std::is_enum_v<T>;
 std::string enum_words(EnumSetting auto value) {
   std::string words;
   for (const auto& entry : EnumNames<decltype(value)>::values) {
-    words += (words.empty() ? "" : "|") + std::string(entry.second);
+    words += fmt::format("{}{}", words.empty() ? "" : "|", entry.second);
   }
   return words;
 }
@@ -40,10 +40,6 @@ bool parse_value(const std::string& text, bool& value) {
   value = text == "true" || text == "on" || text == "yes";
   return value || text == "false" || text == "off" || text == "no";
 }
-bool parse_value(const std::string& text, std::string& value) {
-  value = text;
-  return true;
-}
 bool parse_value(const std::string& text, EnumSetting auto& value) {
   for (const auto& [candidate, name] : EnumNames<std::decay_t<decltype(value)>>::values) {
     if (text != name) continue;
@@ -56,13 +52,11 @@ bool parse_value(const std::string& text, EnumSetting auto& value) {
 std::string format_value(bool value) { return value ? "true" : "false"; }
 std::string format_value(int value) { return fmt::format("{}", value); }
 std::string format_value(double value) { return fmt::format("{}", value); }
-std::string format_value(const std::string& value) { return value; }
 std::string format_value(EnumSetting auto value) { return std::string(enum_name(value)); }
 
 std::string format_range(const Setting&, bool) { return "true|false"; }
 std::string format_range(const Setting& s, int) { return fmt::format("{}..{}", s.minimum, s.maximum); }
 std::string format_range(const Setting& s, double) { return fmt::format("{}..{}", s.minimum, s.maximum); }
-std::string format_range(const Setting&, const std::string&) { return "text"; }
 std::string format_range(const Setting&, EnumSetting auto value) { return enum_words(value); }
 
 /// Levenshtein distance, to name the setting that was probably meant.
@@ -204,7 +198,7 @@ std::string format_settings(const Settings& settings) {
   for (const SettingText& s : list_settings(settings)) {
     if (s.section != section) text += fmt::format("{}{}:\n", section.empty() ? "" : "\n", s.section);
     section = s.section;
-    const std::string unit = s.unit.empty() ? "" : " [" + s.unit + "]";
+    const std::string unit = s.unit.empty() ? "" : fmt::format(" [{}]", s.unit);
     text += fmt::format("  {}: {}  # {}{}; {}\n", s.name, s.value, s.description, unit, s.range);
   }
   return text;

@@ -1,0 +1,63 @@
+#include "mapping/culling.hpp"
+
+#include <algorithm>
+
+namespace stdc {
+namespace {
+
+bool seen_by_three_others(const Map& map, const Landmark& landmark, KeyframeId keyframe, int level) {
+  if (landmark.observations.size() <= 3) return false;
+  int others = 0;
+  for (const Observation& o : landmark.observations) {
+    if (o.keyframe == keyframe) continue;
+    if (map.keyframe(o.keyframe).features->keypoint(o.keypoint).level <= level + 1 && ++others >= 3)
+      return true;
+  }
+  return false;
+}
+
+bool is_redundant(const Map& map, const Keyframe& keyframe, double close_depth, double share) {
+  int counted = 0, redundant = 0;
+  for (int i = 0; i < keyframe.features->size(); ++i) {
+    const float z = keyframe.features->depth(i);
+    if (!keyframe.landmarks[i].valid() || z <= 0 || z > close_depth) continue;
+    ++counted;
+    redundant += seen_by_three_others(map, map.landmark(keyframe.landmarks[i]), keyframe.id,
+                                      keyframe.features->keypoint(i).level);
+  }
+  return counted > 0 && redundant > share * counted;
+}
+
+}  // namespace
+
+void cull_landmarks(Map& map, std::vector<LandmarkId>& recent, KeyframeId current,
+                    const MappingSettings& settings) {
+  std::erase_if(recent, [&](LandmarkId id) {
+    if (!map.has(id)) return true;
+    const Landmark& landmark = map.landmark(id);
+    const int age = static_cast<int>(current.value - landmark.created_by.value);
+    const bool rarely_found =
+        landmark.visible > 0 && landmark.found < settings.found_ratio * landmark.visible;
+    const bool little_seen =
+        age >= 2 && static_cast<int>(landmark.observations.size()) < settings.probation_observations;
+    if (!rarely_found && !little_seen) return age >= settings.probation_keyframes;
+    map.remove(id);
+    return true;
+  });
+}
+
+int cull_keyframes(Map& map, KeyframeId keyframe, double close_depth, const MappingSettings& settings) {
+  int culled = 0;
+  const std::vector<Covisible> covisible = map.keyframe(keyframe).covisible;
+  for (const Covisible& c : covisible) {
+    if (c.keyframe.value == 0 ||
+        !is_redundant(map, map.keyframe(c.keyframe), close_depth, settings.redundant_share)) {
+      continue;
+    }
+    map.remove(c.keyframe);
+    ++culled;
+  }
+  return culled;
+}
+
+}  // namespace stdc

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/camera.hpp"
+#include "estimation/bundle_adjustment.hpp"
+#include "map/map.hpp"
+#include "mapping/mapping_settings.hpp"
+
+namespace stdc {
+
+struct LocalBundleReport {
+  int keyframes = 0, fixed_keyframes = 0, landmarks = 0, observations = 0, outliers = 0;
+};
+
+/// Adjusts a keyframe, its covisible ones and the landmarks that they see; other keyframes that see those
+/// landmarks are held fixed. Observations found to be outliers are taken out of the map (Mur-Artal et al.,
+/// 'ORB-SLAM', T-RO 2015, sec. VI-D). If the problem is degenerate the map stays as it was.
+LocalBundleReport adjust_locally(Map& map, KeyframeId keyframe, const Camera& camera,
+                                 const NoiseSettings& noise, const BundleSettings& bundle,
+                                 const MappingSettings& settings);
+
+}  // namespace stdc

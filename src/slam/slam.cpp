@@ -1,0 +1,69 @@
+#include "slam/slam.hpp"
+
+#include <utility>
+
+#include "slam/pipeline.hpp"
+
+namespace stdc {
+namespace {
+
+Camera valid(const Camera& camera) {
+  camera.validate("camera");
+  return camera;
+}
+
+Settings valid(const Settings& settings) {
+  settings.validate();
+  return settings;
+}
+
+}  // namespace
+
+struct Slam::Implementation {
+  Implementation(const Camera& camera, const Settings& settings) : pipeline(valid(camera), valid(settings)) {}
+  Pipeline pipeline;
+};
+
+Slam::Slam(const Camera& camera, const Settings& settings)
+    : implementation_(std::make_unique<Implementation>(camera, settings)) {}
+
+Slam::~Slam() = default;
+
+TrackingResult Slam::track(const RgbdImage& image) { return implementation_->pipeline.track(image); }
+TrackingResult Slam::skip(double timestamp) { return implementation_->pipeline.skip(timestamp); }
+void Slam::finish() { implementation_->pipeline.finish(); }
+std::vector<FramePose> Slam::trajectory() const {
+  implementation_->pipeline.finish();
+  return implementation_->pipeline.trajectory();
+}
+
+std::vector<FramePose> Slam::keyframe_trajectory() const {
+  implementation_->pipeline.finish();
+  const Map& map = implementation_->pipeline.map();
+  std::vector<FramePose> poses;
+  for (const KeyframeId id : map.keyframe_ids()) {
+    const Keyframe& keyframe = map.keyframe(id);
+    poses.push_back({keyframe.frame, keyframe.timestamp, keyframe.cam_from_world.inverse()});
+  }
+  return poses;
+}
+
+int Slam::keyframes() const {
+  implementation_->pipeline.finish();
+  return implementation_->pipeline.map().keyframe_count();
+}
+
+int Slam::landmarks() const {
+  implementation_->pipeline.finish();
+  return implementation_->pipeline.map().landmark_count();
+}
+
+std::vector<Eigen::Vector3d> Slam::landmark_positions() const {
+  implementation_->pipeline.finish();
+  const Map& map = implementation_->pipeline.map();
+  std::vector<Eigen::Vector3d> positions;
+  for (const LandmarkId id : map.landmark_ids()) positions.push_back(map.landmark(id).position);
+  return positions;
+}
+
+}  // namespace stdc

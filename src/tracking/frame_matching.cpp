@@ -1,0 +1,148 @@
+#include "tracking/frame_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "features/matching.hpp"
+
+namespace stdc {
+namespace {
+
+/// Ideal pixel of a world point if it lies before the camera and inside the image.
+std::optional<Eigen::Vector2f> project_inside(const Camera& camera, const Pose& cam_from_world,
+                                              const Eigen::Vector3d& position) {
+  constexpr double kNearest = 0.05;  // [m]
+  const Eigen::Vector3d point = cam_from_world * position;
+  if (!(point.z() > kNearest)) return {};
+  const Eigen::Vector2d pixel = camera.project(point);
+  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera.width && pixel.y() < camera.height)) return {};
+  return pixel.cast<float>();
+}
+
+/// Drops the matches whose turn does not agree with that of most.
+void keep_consistent(std::vector<FrameMatch>& matches, const std::vector<float>& turns) {
+  const std::vector<std::uint8_t> keep = consistent_turns(turns);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (keep[i] != 0) matches[kept++] = matches[i];
+  }
+  matches.resize(kept);
+}
+
+/// The world point of a keypoint of the last frame: its landmark, or its depth. `landmark`: index or -1.
+std::optional<Eigen::Vector3d> point_of_last(const Camera& camera, const LocalMap& map,
+                                             const TrackedFrame& last, const Pose& world_from_last,
+                                             int keypoint, bool temporary, int* landmark) {
+  const LandmarkId id = last.landmarks[keypoint];
+  *landmark = id.valid() ? map.find(id) : -1;
+  if (*landmark >= 0) return temporary ? std::nullopt : std::optional(map.landmarks[*landmark].position);
+  const float z = last.features->depth(keypoint);
+  if (!temporary || z <= 0 || last.outlier[keypoint] != 0) return {};
+  return world_from_last * camera.unproject(last.features->pixel(keypoint).cast<double>(), z);
+}
+
+}  // namespace
+
+std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& map, const TrackedFrame& last,
+                                         const FrameFeatures& frame, const Pose& predicted_cam_from_world,
+                                         double radius, const TrackingSettings& settings) {
+  std::vector<FrameMatch> matches;
+  std::vector<float> turns;
+  std::vector<std::uint8_t> taken(frame.size(), 0);
+  const Pose world_from_last = last.cam_from_world.inverse();
+  const int top = frame.levels() - 1;
+  for (const bool temporary : {false, true}) {
+    // With enough landmarks the temporary points, whose depth was seen once only, would add noise alone.
+    if (temporary && static_cast<int>(matches.size()) >= settings.initial_landmarks) break;
+    for (int i = 0; i < last.features->size(); ++i) {
+      int landmark = -1;
+      const auto position = point_of_last(camera, map, last, world_from_last, i, temporary, &landmark);
+      if (!position) continue;
+      const auto pixel = project_inside(camera, predicted_cam_from_world, *position);
+      if (!pixel) continue;
+      const int level = last.features->keypoint(i).level;
+      const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius) * frame.scale(level),
+                                std::max(level - 1, 0), std::min(level + 1, top)};
+      const Descriptor& descriptor =
+          landmark >= 0 ? map.landmarks[landmark].descriptor : last.features->descriptor(i);
+      const BestMatch best = match_in_window(frame, descriptor, window, taken);
+      if (!best.accepted(settings.loose_match_distance, 1.0)) continue;
+      taken[best.index] = 1;
+      matches.push_back({best.index, landmark, *position});
+      turns.push_back(last.features->keypoint(i).angle - frame.keypoint(best.index).angle);
+    }
+  }
+  keep_consistent(matches, turns);
+  return matches;
+}
+
+std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures& frame,
+                                        const TrackingSettings& settings) {
+  const FrameFeatures& reference = *map.reference_features;
+  std::vector<std::uint8_t> use(reference.size());
+  for (int i = 0; i < reference.size(); ++i) use[i] = map.reference_landmarks[i] >= 0 ? 1 : 0;
+  std::vector<FrameMatch> matches;
+  std::vector<float> turns;
+  for (const KeypointPair& pair :
+       match_all(reference, use, frame, settings.match_distance, settings.best_to_second)) {
+    const int landmark = map.reference_landmarks[pair.first];
+    matches.push_back({pair.second, landmark, map.landmarks[landmark].position});
+    turns.push_back(reference.keypoint(pair.first).angle - frame.keypoint(pair.second).angle);
+  }
+  keep_consistent(matches, turns);
+  return matches;
+}
+
+void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatures& frame,
+                     const Pose& cam_from_world, double radius, const TrackingSettings& settings,
+                     std::vector<FrameMatch>& matches, std::vector<int>& visible) {
+  constexpr float kLargestAngleCosine = 0.5F;  // 60 degrees between now and the mean viewing direction
+  std::vector<std::uint8_t> taken(frame.size(), 0), matched(map.landmarks.size(), 0);
+  for (const FrameMatch& match : matches) {
+    taken[match.keypoint] = 1;
+    if (match.landmark >= 0) matched[match.landmark] = 1;
+  }
+  const Eigen::Vector3d centre = cam_from_world.centre();
+  const int top = frame.levels() - 1;
+  for (int i = 0; i < static_cast<int>(map.landmarks.size()); ++i) {
+    const LocalLandmark& landmark = map.landmarks[i];
+    if (matched[i] != 0) {
+      visible.push_back(i);
+      continue;
+    }
+    const auto pixel = project_inside(camera, cam_from_world, landmark.position);
+    if (!pixel) continue;
+    const Eigen::Vector3f ray = (landmark.position - centre).cast<float>();
+    const float distance = ray.norm();
+    // The range of scales is widened a little: the level of a keypoint is not exact.
+    if (distance < 0.8F * landmark.smallest_distance || distance > 1.2F * landmark.largest_distance) continue;
+    const float cosine = ray.dot(landmark.direction) / distance;
+    if (cosine < kLargestAngleCosine) continue;
+    visible.push_back(i);
+    const int level = std::clamp(static_cast<int>(std::ceil(std::log(landmark.largest_distance / distance) /
+                                                            frame.log_scale_factor())),
+                                 0, top);
+    // Seen from the side a point's appearance and place are less sure.
+    const double wider = cosine > 0.998F ? 1.0 : 1.6;
+    const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius * wider) * frame.scale(level),
+                              std::max(level - 1, 0), std::min(level + 1, top)};
+    const BestMatch best = match_in_window(frame, landmark.descriptor, window, taken);
+    if (!best.accepted(settings.loose_match_distance, settings.best_to_second)) continue;
+    taken[best.index] = 1;
+    matches.push_back({best.index, i, landmark.position});
+  }
+}
+
+std::vector<PoseObservation> make_observations(const FrameFeatures& frame,
+                                               const std::vector<FrameMatch>& matches) {
+  std::vector<PoseObservation> observations;
+  observations.reserve(matches.size());
+  for (const FrameMatch& match : matches) {
+    observations.push_back({match.position, frame.pixel(match.keypoint).cast<double>(),
+                            frame.depth(match.keypoint), frame.scale_of(match.keypoint)});
+  }
+  return observations;
+}
+
+}  // namespace stdc

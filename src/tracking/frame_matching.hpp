@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "core/camera.hpp"
+#include "estimation/pose_optimisation.hpp"
+#include "tracking/local_map.hpp"
+#include "tracking/tracked_frame.hpp"
+#include "tracking/tracking_settings.hpp"
+
+namespace stdc {
+
+/// A keypoint of the frame and the point of the world that it sees: a landmark of the local map, or a
+/// temporary point made of the last frame's depth.
+struct FrameMatch {
+  int keypoint = 0;
+  int landmark = -1;                                   ///< index into LocalMap::landmarks; -1: temporary
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< world [m]
+};
+
+/// Matches the landmarks that the last frame saw around where the predicted pose puts them, with consistent
+/// turns. Where they are few, points made of the last frame's other keypoints with depth are matched too.
+/// @param radius  search radius [px] on level 0; grows with the level's scale
+std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& map, const TrackedFrame& last,
+                                         const FrameFeatures& frame, const Pose& predicted_cam_from_world,
+                                         double radius, const TrackingSettings& settings);
+
+/// Matches the reference keyframe's landmarks by descriptor alone, with consistent turns.
+std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures& frame,
+                                        const TrackingSettings& settings);
+
+/// Matches the local map's landmarks that the camera should see and that are not matched yet.
+/// @param matches      in, out: what is matched already; new matches are appended
+/// @param visible      out: indices of landmarks that should be seen, those already matched included
+/// @param radius       search radius [px] on level 0
+void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatures& frame,
+                     const Pose& cam_from_world, double radius, const TrackingSettings& settings,
+                     std::vector<FrameMatch>& matches, std::vector<int>& visible);
+
+/// The observations of these matches, for the pose optimisation.
+std::vector<PoseObservation> make_observations(const FrameFeatures& frame,
+                                               const std::vector<FrameMatch>& matches);
+
+}  // namespace stdc

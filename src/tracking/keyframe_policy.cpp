@@ -1,0 +1,82 @@
+#include "tracking/keyframe_policy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stdc {
+namespace {
+
+struct CloseCounts {
+  int tracked = 0, untracked = 0;
+};
+
+CloseCounts count_close(const TrackedFrame& frame, double close_depth) {
+  CloseCounts counts;
+  for (int i = 0; i < frame.features->size(); ++i) {
+    const float z = frame.features->depth(i);
+    if (z <= 0 || z > close_depth) continue;
+    ++(frame.landmarks[i].valid() ? counts.tracked : counts.untracked);
+  }
+  return counts;
+}
+
+/// Camera's way from the reference keyframe over the median depth of what it sees now.
+double parallax_ratio(const TrackedFrame& frame, const LocalMap& map) {
+  std::vector<double> depths;
+  for (int i = 0; i < frame.features->size(); ++i) {
+    if (!frame.landmarks[i].valid()) continue;
+    const int landmark = map.find(frame.landmarks[i]);
+    if (landmark >= 0) depths.push_back((frame.cam_from_world * map.landmarks[landmark].position).z());
+  }
+  if (depths.empty()) return 0;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return (frame.cam_from_world.centre() - map.reference_from_world.centre()).norm() / std::max(*middle, 0.1);
+}
+
+}  // namespace
+
+bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& map, int frames_since,
+                    int keyframes, const TrackingSettings& settings) {
+  const CloseCounts close = count_close(frame, settings.close_depth);
+  if (close.tracked < settings.close_tracked_low && close.untracked > settings.close_untracked_high)
+    return true;
+  // With few keyframes no landmark can have been seen by three yet.
+  const bool young = keyframes < 3;
+  const int reference = map.count_reference_landmarks(!young);
+  const bool few_tracked = frame.inliers < settings.tracked_ratio * reference;
+  const bool long_ago = frames_since >= settings.longest_gap * camera.frames_per_second;
+  const bool moved = parallax_ratio(frame, map) > settings.parallax_ratio;
+  return few_tracked || moved || (long_ago && frame.inliers < 0.9 * reference);
+}
+
+KeyframeId insert_keyframe(Map& map, const Camera& camera, TrackedFrame& frame,
+                           const TrackingSettings& settings) {
+  const FrameFeatures& features = *frame.features;
+  const KeyframeId keyframe =
+      map.add_keyframe(frame.index, frame.timestamp, frame.cam_from_world, frame.features);
+  std::vector<int> free_with_depth;
+  for (int i = 0; i < features.size(); ++i) {
+    LandmarkId& landmark = frame.landmarks[i];
+    if (landmark.valid() && (!map.has(landmark) || !map.observe(keyframe, i, landmark))) landmark = {};
+    if (!landmark.valid() && features.depth(i) > 0) free_with_depth.push_back(i);
+  }
+  std::stable_sort(free_with_depth.begin(), free_with_depth.end(),
+                   [&](int a, int b) { return features.depth(a) < features.depth(b); });
+  const Pose world_from_cam = frame.cam_from_world.inverse();
+  for (std::size_t rank = 0; rank < free_with_depth.size(); ++rank) {
+    const int i = free_with_depth[rank];
+    const float z = features.depth(i);
+    if (z > settings.close_depth && static_cast<int>(rank) >= settings.initial_landmarks) break;
+    const LandmarkId landmark =
+        map.add_landmark(world_from_cam * camera.unproject(features.pixel(i).cast<double>(), z), keyframe);
+    map.observe(keyframe, i, landmark);
+    map.refresh(landmark);
+    frame.landmarks[i] = landmark;
+    frame.outlier[i] = 0;
+  }
+  return keyframe;
+}
+
+}  // namespace stdc

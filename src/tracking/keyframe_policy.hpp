@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/camera.hpp"
+#include "map/map.hpp"
+#include "tracking/local_map.hpp"
+#include "tracking/tracked_frame.hpp"
+#include "tracking/tracking_settings.hpp"
+
+namespace stdc {
+
+/// Whether a tracked frame should become a keyframe: few of the reference's landmarks are still tracked, or
+/// few close points are tracked while many could be added (Mur-Artal and Tardos, 'ORB-SLAM2', T-RO 2017,
+/// sec. III-E), or the view has moved on.
+/// @param frames_since  input frames since the last keyframe
+/// @param keyframes     keyframes in the map
+bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& map, int frames_since,
+                    int keyframes, const TrackingSettings& settings);
+
+/// Puts a frame into the map as a keyframe: it observes its inlier landmarks, and new landmarks are made of
+/// the depths of its other keypoints: all close ones, and in any case the nearest `initial_landmarks`. The
+/// frame then sees these too.
+KeyframeId insert_keyframe(Map& map, const Camera& camera, TrackedFrame& frame,
+                           const TrackingSettings& settings);
+
+}  // namespace stdc

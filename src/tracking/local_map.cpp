@@ -1,0 +1,100 @@
+#include "tracking/local_map.hpp"
+
+#include <algorithm>
+
+namespace stdc {
+namespace {
+
+/// Keyframes that see the frame's landmarks, most shared first, then neighbours and kin of those.
+std::vector<KeyframeId> choose_keyframes(const Map& map, std::span<const LandmarkId> seen,
+                                         KeyframeId fallback, int most) {
+  std::vector<int> votes(map.keyframe_id_limit(), 0);
+  for (const LandmarkId id : seen) {
+    if (!id.valid() || !map.has(id)) continue;
+    for (const Observation& o : map.landmark(id).observations) ++votes[o.keyframe.value];
+  }
+  std::vector<KeyframeId> chosen;
+  for (std::uint32_t k = 0; k < votes.size(); ++k) {
+    if (votes[k] > 0) chosen.push_back({k});
+  }
+  if (chosen.empty()) chosen.push_back(map.resolve(fallback).keyframe);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](KeyframeId a, KeyframeId b) { return votes[a.value] > votes[b.value]; });
+  if (static_cast<int>(chosen.size()) > most) chosen.resize(most);
+
+  constexpr int kNeighboursOfEach = 10;
+  std::vector<std::uint8_t> is_chosen(votes.size(), 0);
+  for (const KeyframeId id : chosen) is_chosen[id.value] = 1;
+  const std::size_t direct = chosen.size();
+  for (std::size_t i = 0; i < direct && static_cast<int>(chosen.size()) < most; ++i) {
+    const Keyframe& keyframe = map.keyframe(chosen[i]);
+    const auto add = [&](KeyframeId id) {
+      if (!id.valid() || is_chosen[id.value] != 0 || static_cast<int>(chosen.size()) >= most) return;
+      is_chosen[id.value] = 1;
+      chosen.push_back(id);
+    };
+    const std::size_t neighbours = std::min<std::size_t>(keyframe.covisible.size(), kNeighboursOfEach);
+    for (std::size_t n = 0; n < neighbours; ++n) add(keyframe.covisible[n].keyframe);
+    add(keyframe.parent);
+  }
+  return chosen;
+}
+
+LocalLandmark copy_out(const Landmark& landmark) {
+  constexpr std::size_t kEstablished = 3;
+  return {landmark.id,
+          landmark.smallest_distance,
+          landmark.largest_distance,
+          landmark.direction,
+          landmark.position,
+          landmark.descriptor,
+          landmark.observations.size() >= kEstablished};
+}
+
+}  // namespace
+
+int LocalMap::find(LandmarkId id) const {
+  const auto place =
+      std::lower_bound(landmarks.begin(), landmarks.end(), id,
+                       [](const LocalLandmark& l, LandmarkId wanted) { return l.id < wanted; });
+  return place != landmarks.end() && place->id == id ? static_cast<int>(place - landmarks.begin()) : -1;
+}
+
+int LocalMap::count_reference_landmarks(bool established_only) const {
+  return static_cast<int>(std::count_if(
+      reference_landmarks.begin(), reference_landmarks.end(),
+      [&](int landmark) { return landmark >= 0 && (!established_only || landmarks[landmark].established); }));
+}
+
+LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, KeyframeId fallback,
+                        int keyframes) {
+  const std::vector<KeyframeId> chosen = choose_keyframes(map, seen, fallback, keyframes);
+  LocalMap local;
+  // Mark, then gather in order of id: the landmarks come out sorted without sorting.
+  std::vector<int> index(map.landmark_id_limit(), -1);
+  std::uint32_t lowest = static_cast<std::uint32_t>(index.size()), highest = 0;
+  for (const KeyframeId id : chosen) {
+    for (const LandmarkId landmark : map.keyframe(id).landmarks) {
+      if (!landmark.valid()) continue;
+      index[landmark.value] = 0;
+      lowest = std::min(lowest, landmark.value);
+      highest = std::max(highest, landmark.value);
+    }
+  }
+  for (std::uint32_t value = lowest; value <= highest && value < index.size(); ++value) {
+    if (index[value] < 0) continue;
+    index[value] = static_cast<int>(local.landmarks.size());
+    local.landmarks.push_back(copy_out(map.landmark({value})));
+  }
+  const Keyframe& reference = map.keyframe(chosen.front());
+  local.reference = reference.id;
+  local.reference_from_world = reference.cam_from_world;
+  local.reference_features = reference.features;
+  local.reference_landmarks.assign(reference.landmarks.size(), -1);
+  for (std::size_t i = 0; i < reference.landmarks.size(); ++i) {
+    if (reference.landmarks[i].valid()) local.reference_landmarks[i] = index[reference.landmarks[i].value];
+  }
+  return local;
+}
+
+}  // namespace stdc

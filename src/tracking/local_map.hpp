@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "core/pose.hpp"
+#include "features/frame_features.hpp"
+#include "map/map.hpp"
+
+namespace stdc {
+
+/// What the tracker needs to know of a landmark.
+struct LocalLandmark {
+  LandmarkId id;
+  float smallest_distance = 0, largest_distance = 0;    ///< [m]
+  Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< mean viewing direction, world
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< world [m]
+  Descriptor descriptor;
+  bool established = false;  ///< seen by three keyframes or more
+};
+
+/// The part of the map around the camera, copied out, so that the tracker can go on while the mapper changes
+/// the map: landmarks of the keyframes that see what the frame sees, and of their neighbours (Mur-Artal et
+/// al., 'ORB-SLAM', T-RO 2015, sec. V-D).
+struct LocalMap {
+  std::vector<LocalLandmark> landmarks;  ///< by id
+  KeyframeId reference;                  ///< the keyframe that shares most landmarks with the frame
+  Pose reference_from_world;
+  std::shared_ptr<const FrameFeatures> reference_features;
+  std::vector<int> reference_landmarks;  ///< per keypoint of the reference: index into landmarks, or -1
+
+  /// Index of a landmark, or -1.
+  int find(LandmarkId id) const;
+  /// Of the reference keyframe's landmarks: all, or those seen by three keyframes.
+  int count_reference_landmarks(bool established_only) const;
+};
+
+/// @param seen       landmarks that the frame sees; those that are gone are passed over
+/// @param fallback   reference keyframe if none of them is seen by any keyframe
+/// @param keyframes  most keyframes to take landmarks from
+LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, KeyframeId fallback, int keyframes);
+
+}  // namespace stdc

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/ids.hpp"
+#include "core/pose.hpp"
+#include "features/frame_features.hpp"
+
+namespace stdc {
+
+/// A frame and what the tracker found out about it.
+struct TrackedFrame {
+  int index = 0;         ///< of the input frame
+  double timestamp = 0;  ///< [s]
+  std::shared_ptr<const FrameFeatures> features;
+  Pose cam_from_world;
+  std::vector<LandmarkId> landmarks;  ///< per keypoint; invalid: none
+  std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
+  int matches = 0;                    ///< before the last optimisation
+  int inliers = 0;                    ///< landmarks left after it
+
+  TrackedFrame() = default;
+  TrackedFrame(int frame_index, double time, std::shared_ptr<const FrameFeatures> frame_features)
+      : index(frame_index), timestamp(time), features(std::move(frame_features)) {
+    landmarks.resize(features->size());
+    outlier.resize(features->size(), 0);
+  }
+};
+
+}  // namespace stdc

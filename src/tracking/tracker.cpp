@@ -1,0 +1,125 @@
+#include "tracking/tracker.hpp"
+
+#include <algorithm>
+
+#include "core/stopwatch.hpp"
+
+namespace stdc {
+
+Tracker::Tracker(const Camera& camera, const TrackingSettings& settings, const NoiseSettings& noise,
+                 const PoseOptimisationSettings& optimisation)
+    : camera_(camera), settings_(settings), noise_(noise), optimisation_(optimisation) {}
+
+bool Tracker::track(TrackedFrame& frame, const LocalMap& map) {
+  times_ = {};
+  Stopwatch watch;
+  std::vector<FrameMatch> matches = track_motion(frame, map);
+  if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion)
+    matches = track_reference(frame, map);
+  times_.prediction = watch.lap_ms();
+  if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion) return false;
+  const bool tracked =
+      refine(frame, map, std::move(matches), settings_.local_map_radius, settings_.minimum_inliers);
+  times_.local_map = watch.lap_ms();
+  return tracked;
+}
+
+/// Constant velocity, scaled to the time that passed: frames may have been dropped.
+Pose Tracker::predict(double timestamp) const {
+  return Pose::exp(velocity_ * (timestamp - last_->timestamp)) * last_->cam_from_world;
+}
+
+std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& map) const {
+  frame.cam_from_world = predict(frame.timestamp);
+  std::vector<FrameMatch> matches;
+  // Where the prediction was wrong (a jerk, a blurred stretch), look further.
+  for (const double widening : {1.0, 2.5}) {
+    matches = match_last_frame(camera_, map, *last_, *frame.features, frame.cam_from_world,
+                               widening * settings_.search_radius, settings_);
+    if (static_cast<int>(matches.size()) >= 2 * settings_.minimum_inliers_motion) break;
+  }
+  return optimise(frame, std::move(matches));
+}
+
+std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const LocalMap& map) const {
+  frame.cam_from_world = last_->cam_from_world;
+  return optimise(frame, match_reference(map, *frame.features, settings_));
+}
+
+/// Optimises the frame's pose; gives the matches that agree with it, none if there is no sound pose.
+std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const {
+  const std::vector<PoseObservation> observations = make_observations(*frame.features, matches);
+  const PoseOptimisationResult result =
+      optimise_pose(camera_, observations, frame.cam_from_world, noise_, optimisation_);
+  if (!result.usable) return {};
+  frame.cam_from_world = result.cam_from_world;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (result.inlier[i] != 0) matches[kept++] = matches[i];
+  }
+  matches.resize(kept);
+  return matches;
+}
+
+bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, std::vector<FrameMatch> matches, double radius,
+                     int least_inliers) {
+  std::vector<int> visible;
+  match_local_map(camera_, map, *frame.features, frame.cam_from_world, radius, settings_, matches, visible);
+  const auto is_temporary = [](const FrameMatch& m) { return m.landmark < 0; };
+  const auto temporary = std::count_if(matches.begin(), matches.end(), is_temporary);
+  if (static_cast<int>(matches.size() - temporary) >= settings_.initial_landmarks) {
+    std::erase_if(matches, is_temporary);
+  }
+  frame.matches = static_cast<int>(matches.size());
+  const std::vector<FrameMatch> inliers = optimise(frame, matches);
+  std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
+  std::fill(frame.outlier.begin(), frame.outlier.end(), 0);
+  for (const FrameMatch& match : matches) frame.outlier[match.keypoint] = 1;
+  for (const FrameMatch& match : inliers) {
+    frame.outlier[match.keypoint] = 0;
+    if (match.landmark >= 0) frame.landmarks[match.keypoint] = map.landmarks[match.landmark].id;
+  }
+  frame.inliers = static_cast<int>(inliers.size());
+  count(map, visible, inliers);
+  return frame.inliers >= least_inliers;
+}
+
+void Tracker::count(const LocalMap& map, const std::vector<int>& visible,
+                    const std::vector<FrameMatch>& inliers) {
+  for (const int landmark : visible) counts_.push_back({map.landmarks[landmark].id, 1, 0});
+  for (const FrameMatch& match : inliers) {
+    if (match.landmark >= 0) counts_.push_back({map.landmarks[match.landmark].id, 0, 1});
+  }
+}
+
+void Tracker::flush_counts(Map& map) {
+  for (const Count& c : counts_) {
+    if (!map.has(c.landmark)) continue;
+    map.count_visible(c.landmark, c.visible);
+    map.count_found(c.landmark, c.found);
+  }
+  counts_.clear();
+}
+
+void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world) {
+  velocity_.setZero();
+  if (last_ && frame.timestamp > last_->timestamp) {
+    velocity_ =
+        (frame.cam_from_world * last_->cam_from_world.inverse()).log() / (frame.timestamp - last_->timestamp);
+  }
+  last_ = frame;
+  last_reference_ = reference;
+  last_from_reference_ = frame.cam_from_world * reference_from_world.inverse();
+}
+
+void Tracker::forget() { last_.reset(); }
+
+void Tracker::follow(const Map& map) {
+  if (!last_) return;
+  const Map::Anchor anchor = map.resolve(last_reference_);
+  last_from_reference_ = last_from_reference_ * anchor.cam_from_anchor;
+  last_reference_ = anchor.keyframe;
+  last_->cam_from_world = last_from_reference_ * map.keyframe(anchor.keyframe).cam_from_world;
+}
+
+}  // namespace stdc

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "estimation/pose_optimisation.hpp"
+#include "map/map.hpp"
+#include "tracking/frame_matching.hpp"
+#include "tracking/local_map.hpp"
+#include "tracking/tracked_frame.hpp"
+#include "tracking/tracking_settings.hpp"
+
+namespace stdc {
+
+/// Wall milliseconds of the tracker's steps.
+struct TrackerTimes {
+  double prediction = 0, local_map = 0;
+};
+
+/// Finds the pose of each frame from that of the frame before and the local map, as ORB-SLAM does: predict,
+/// match to the last frame, optimise, match to the local map, optimise (Mur-Artal et al., 'ORB-SLAM', T-RO
+/// 2015, sec. V). Knows the map only as a LocalMap; never throws on what a frame shows.
+class Tracker {
+ public:
+  Tracker(const Camera& camera, const TrackingSettings& settings, const NoiseSettings& noise,
+          const PoseOptimisationSettings& optimisation);
+
+  /// Tracks a frame from the last one: fills its pose, landmarks, matches and inliers. False: it is lost.
+  bool track(TrackedFrame& frame, const LocalMap& map);
+  /// Matches the local map to a frame whose pose is about known and optimises. False: too few inliers.
+  bool refine(TrackedFrame& frame, const LocalMap& map, std::vector<FrameMatch> matches, double radius,
+              int least_inliers);
+
+  /// From now on this is the last frame. `reference`: keyframe of the local map it was tracked in.
+  void remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world);
+  /// After a loss: there is no last frame.
+  void forget();
+  bool has_last() const { return last_.has_value(); }
+  const TrackedFrame& last() const { return *last_; }
+  /// The map has changed: the last frame moves with its reference keyframe.
+  void follow(const Map& map);
+  /// Gives the map the counts of landmarks visible and found since the last call.
+  void flush_counts(Map& map);
+
+  const TrackerTimes& times() const { return times_; }
+
+ private:
+  Pose predict(double timestamp) const;
+  std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& map) const;
+  std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& map) const;
+  std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
+  void count(const LocalMap& map, const std::vector<int>& visible, const std::vector<FrameMatch>& inliers);
+
+  struct Count {
+    LandmarkId landmark;
+    int visible = 0, found = 0;
+  };
+
+  Camera camera_;
+  TrackingSettings settings_;
+  NoiseSettings noise_;
+  PoseOptimisationSettings optimisation_;
+  std::optional<TrackedFrame> last_;
+  KeyframeId last_reference_;
+  Pose last_from_reference_;
+  Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
+  std::vector<Count> counts_;
+  TrackerTimes times_;
+};
+
+}  // namespace stdc
