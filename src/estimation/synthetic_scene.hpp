@@ -18,6 +18,7 @@ struct Options {
   int poses = 30, fixed_poses = 15;
   int points = 3000;
   int observations_per_point = 7;  ///< at most, in neighbouring poses
+  int least_observations = 2;      ///< points that are seen less often are left out
   double step = 0.12;              ///< way between poses [m]
   double outliers = 0.07;          ///< share of wrong pixels
   double edge_outliers = 0.05;     ///< share of depths read on the wrong side of an edge
@@ -136,19 +137,24 @@ inline Scene make_scene(const Options& options) {
   while (static_cast<int>(scene.true_points.size()) < options.points) {
     const Eigen::Vector3d point = point_in_room(random);
     const auto first = random.below(static_cast<std::uint32_t>(options.poses));
-    int seen = 0;
+    const std::size_t before = problem.observations.size();
     for (auto k = static_cast<std::size_t>(first); k < scene.true_poses.size(); ++k) {
-      if (seen == options.observations_per_point) break;
+      if (problem.observations.size() - before == static_cast<std::size_t>(options.observations_per_point))
+        break;
       const auto m = measure(options, scene.camera, scene.true_poses[k], point, random);
       if (!m) continue;
-      ++seen;
       problem.observations.push_back({static_cast<std::int32_t>(k),
                                       static_cast<std::int32_t>(scene.true_points.size()),
                                       m->pixel.cast<float>(), m->depth, m->scale});
       scene.pixel_is_outlier.push_back(m->pixel_is_outlier ? 1 : 0);
       scene.depth_is_outlier.push_back(m->depth_is_outlier ? 1 : 0);
     }
-    if (seen == 0) continue;
+    if (problem.observations.size() - before < static_cast<std::size_t>(options.least_observations)) {
+      problem.observations.resize(before);
+      scene.pixel_is_outlier.resize(before);
+      scene.depth_is_outlier.resize(before);
+      continue;
+    }
     scene.true_points.push_back(point);
     problem.points.push_back(point + normal3(random, options.point_error));
   }
