@@ -11,6 +11,11 @@ int main(int argc, char** argv) {
   CLI::App app{"STDC-SLAM: RGB-D visual SLAM that keeps its accuracy when people walk through the scene"};
   app.set_version_flag("--version", STDC_VERSION);
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("stdc-slam: ") + error.what() + "; run with --help to see the options\n";
+  });
+  stdc::app::add_evaluate_command(app);
+  stdc::app::add_settings_command(app);
   try {
     app.parse(argc, argv);
     return 0;

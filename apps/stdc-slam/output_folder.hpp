@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stdc::app {
+
+/// A folder for results that appear all together or not at all. Files are written to a hidden folder inside
+/// it and moved to their places by commit(); without that the destructor removes them, and also the folders
+/// that were made for the purpose. Older files of the same names stay until then.
+class OutputFolder {
+ public:
+  /// Makes the folder if need be. Throws Error if it cannot be made or written to.
+  explicit OutputFolder(std::filesystem::path folder);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Writes one file; `name` has no folders. Throws Error, for instance if the disk is full.
+  void write(const std::string& name, std::string_view content);
+  void write(const std::string& name, std::span<const std::uint8_t> content);
+  /// Moves all files to their places, in the order of writing. Throws Error.
+  void commit();
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  void remove_what_was_made() noexcept;
+
+  std::filesystem::path folder_;
+  std::filesystem::path hidden_;
+  std::vector<std::filesystem::path> made_;  ///< folders that were not there before, outermost first
+  std::vector<std::string> names_;
+};
+
+}  // namespace stdc::app

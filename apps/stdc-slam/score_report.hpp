@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "evaluation/trajectory_error.hpp"
+
+namespace stdc::app {
+
+/// The scores as a table for people: millimetres, degrees, percent.
+std::string format_scores(const TrajectoryScores& scores);
+/// The scores for programs: metres, degrees, shares.
+nlohmann::ordered_json scores_to_json(const TrajectoryScores& scores);
+
+}  // namespace stdc::app

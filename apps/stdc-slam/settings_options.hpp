@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "slam/settings.hpp"
+
+namespace stdc::app {
+
+/// The options by which every command takes settings.
+struct SettingsOptions {
+  std::string file;                      ///< --settings
+  std::string selection;                 ///< --selection
+  std::vector<std::string> assignments;  ///< --set section.key=value
+};
+
+/// Adds --settings, --selection and --set to a command.
+void add_settings_options(CLI::App& command, SettingsOptions& options);
+/// The defaults, changed by the file, then by the selection, then by the assignments in their order.
+/// Throws Error.
+Settings chosen_settings(const SettingsOptions& options);
+
+}  // namespace stdc::app
