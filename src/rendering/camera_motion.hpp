@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/pose.hpp"
+
+namespace stdc {
+
+/// How the hand moves the camera. The last four follow the motions of the TUM RGB-D benchmark (Sturm et al.
+/// 2012): along the axes with the view kept, over a half sphere of 1 m, turning about the axes, and held
+/// still.
+enum class MotionKind { desk, room_loop, xyz, halfsphere, rpy, held };
+
+/// A smooth path of a hand-held camera that starts from rest. Any time >= 0 has a pose; it depends on nothing
+/// but kind, seed and time.
+class CameraMotion {
+ public:
+  CameraMotion(MotionKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {}
+
+  /// Camera axes: x right, y down, z forward. World: metres, z up (see RoomPlan).
+  Pose world_from_cam(double time) const;
+
+  /// The room loop ends where it began after this time, then begins again [s].
+  static constexpr double kLoopSeconds = 36;
+
+ private:
+  Pose steady(double time) const;
+
+  MotionKind kind_;
+  std::uint64_t seed_;
+};
+
+/// A camera at `eye` that looks at `target` with its x axis level.
+Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
+
+}  // namespace stdc

@@ -1,0 +1,159 @@
+#include "rendering/film_exposer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stdc {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kPacket = RayScene::kPacket;
+constexpr int kBlockWidth = 4, kBlockHeight = kPacket / kBlockWidth;
+
+/// The nearest hit of a ray among all there is.
+struct Seen {
+  Hit hit;
+  bool moving = false;
+};
+
+/// One exposure in the making.
+class Exposure {
+ public:
+  Exposure(const RayGrid& rays, const RayScene& scene, const SurfaceShader& shader,
+           const Pose& world_from_cam, const MovingThings* moving)
+      : rays_(rays),
+        scene_(scene),
+        shader_(shader),
+        moving_(moving),
+        rotation_(world_from_cam.rotation_matrix().cast<float>()),
+        origin_(world_from_cam.translation.cast<float>()),
+        seen_(static_cast<std::size_t>(rays.width()) * rays.height()) {
+    const cv::Size size(rays.width(), rays.height());
+    film_.colour.create(size, CV_32FC3);
+    film_.depth.create(size, CV_32FC1);
+    film_.infrared.create(size, CV_32FC1);
+    film_.mask.create(size, CV_8UC1);
+  }
+
+  Film run() {
+    for (int y = 0; y < rays_.height(); y += kBlockHeight) {
+      for (int x = 0; x < rays_.width(); x += kBlockWidth) cast_block(x, y);
+    }
+    for (int y = 0; y < rays_.height(); ++y) {
+      for (int x = 0; x < rays_.width(); ++x) develop(x, y);
+    }
+    for (int y = 0; y < rays_.height(); ++y) {
+      for (int x = 0; x < rays_.width(); ++x) {
+        if (on_edge(x, y)) smooth(x, y);
+      }
+    }
+    return std::move(film_);
+  }
+
+ private:
+  Vector3f direction(const Eigen::Vector2f& ray) const {
+    return rotation_.col(0) * ray.x() + rotation_.col(1) * ray.y() + rotation_.col(2);
+  }
+
+  void trace(const Vector3f* directions, int count, Seen* seen) const {
+    std::array<Hit, kPacket> hits;
+    scene_.trace(origin_, directions, count, hits.data());
+    for (int i = 0; i < count; ++i) seen[i] = {hits[i], false};
+    if (moving_ == nullptr || !moving_->trace(origin_, directions, count, hits.data())) return;
+    for (int i = 0; i < count; ++i) {
+      if (hits[i].quad != seen[i].hit.quad || hits[i].distance != seen[i].hit.distance)
+        seen[i] = {hits[i], true};
+    }
+  }
+
+  void cast_block(int x0, int y0) {
+    std::array<Vector3f, kPacket> directions;
+    std::array<Seen, kPacket> seen;
+    std::array<std::size_t, kPacket> places{};
+    int count = 0;
+    for (int y = y0; y < std::min(y0 + kBlockHeight, rays_.height()); ++y) {
+      for (int x = x0; x < std::min(x0 + kBlockWidth, rays_.width()); ++x) {
+        places[count] = static_cast<std::size_t>(y) * rays_.width() + x;
+        directions[count++] = direction(rays_.at(x, y));
+      }
+    }
+    trace(directions.data(), count, seen.data());
+    for (int i = 0; i < count; ++i) seen_[places[i]] = seen[i];
+  }
+
+  Shade shade(const Seen& seen, const Vector3f& direction) const {
+    if (!seen.hit.valid()) return {};
+    if (seen.moving) return moving_->shade(seen.hit, origin_, direction, rays_.pixel_angle());
+    float shadow = 1;
+    if (moving_ != nullptr) {
+      shadow = moving_->shadow(origin_ + seen.hit.distance * direction, shader_.normal(seen.hit, direction));
+    }
+    return shader_.shade(seen.hit, origin_, direction, rays_.pixel_angle(), shadow);
+  }
+
+  const Seen& at(int x, int y) const { return seen_[static_cast<std::size_t>(y) * rays_.width() + x]; }
+
+  void develop(int x, int y) {
+    const Seen& seen = at(x, y);
+    const Shade s = shade(seen, direction(rays_.at(x, y)));
+    film_.colour.at<cv::Vec3f>(y, x) = {s.colour.x(), s.colour.y(), s.colour.z()};
+    film_.depth.at<float>(y, x) = seen.hit.valid() ? seen.hit.distance : 0;
+    film_.infrared.at<float>(y, x) = s.infrared;
+    film_.mask.at<std::uint8_t>(y, x) = seen.moving && moving_->dynamic(seen.hit) ? 255 : 0;
+  }
+
+  bool differ(const Seen& a, const Seen& b) const {
+    if (a.hit.quad == b.hit.quad && a.moving == b.moving) return false;
+    if (a.moving != b.moving || !a.hit.valid() || !b.hit.valid()) return true;
+    const float jump = std::abs(a.hit.distance - b.hit.distance) / std::min(a.hit.distance, b.hit.distance);
+    if (jump > 0.05F) return true;
+    if (a.moving) return moving_->surface(a.hit) != moving_->surface(b.hit);
+    return shader_.surfaces_differ(a.hit, b.hit);
+  }
+
+  bool on_edge(int x, int y) const {
+    const Seen& here = at(x, y);
+    return (x > 0 && differ(here, at(x - 1, y))) || (x + 1 < rays_.width() && differ(here, at(x + 1, y))) ||
+           (y > 0 && differ(here, at(x, y - 1))) || (y + 1 < rays_.height() && differ(here, at(x, y + 1)));
+  }
+
+  void smooth(int x, int y) {
+    // The rotated grid: no two samples share a row or a column.
+    static constexpr std::array<std::array<float, 2>, 4> kOffsets{
+        {{-0.125F, -0.375F}, {0.375F, -0.125F}, {0.125F, 0.375F}, {-0.375F, 0.125F}}};
+    std::array<Vector3f, 4> directions;
+    std::array<Seen, 4> seen;
+    for (int i = 0; i < 4; ++i) directions[i] = direction(rays_.at(x, y, kOffsets[i][0], kOffsets[i][1]));
+    trace(directions.data(), 4, seen.data());
+    auto& colour = film_.colour.at<cv::Vec3f>(y, x);
+    // What is brighter than white is clipped before the mean: a lamp's rim must not stay jagged.
+    const auto clipped = [](const cv::Vec3f& c) {
+      return cv::Vec3f(std::min(c[0], 1.5F), std::min(c[1], 1.5F), std::min(c[2], 1.5F));
+    };
+    cv::Vec3f sum = clipped(colour);
+    for (int i = 0; i < 4; ++i) {
+      const Rgb c = shade(seen[i], directions[i]).colour;
+      sum += clipped({c.x(), c.y(), c.z()});
+    }
+    colour = sum * 0.2F;
+  }
+
+  const RayGrid& rays_;
+  const RayScene& scene_;
+  const SurfaceShader& shader_;
+  const MovingThings* moving_;
+  Eigen::Matrix3f rotation_;
+  Vector3f origin_;
+  std::vector<Seen> seen_;
+  Film film_;
+};
+
+}  // namespace
+
+Film FilmExposer::expose(const Pose& world_from_cam, const MovingThings* moving) const {
+  return Exposure(rays_, scene_, shader_, world_from_cam, moving).run();
+}
+
+}  // namespace stdc

@@ -1,0 +1,151 @@
+#include "rendering/rendered_sequence.hpp"
+
+#include <cassert>
+#include <opencv2/core.hpp>
+
+#include "rendering/camera_motion.hpp"
+#include "rendering/colour_sensor.hpp"
+#include "rendering/depth_sensor.hpp"
+#include "rendering/film_exposer.hpp"
+#include "rendering/room.hpp"
+
+namespace stdc {
+namespace {
+
+constexpr double kFirstTimestamp = 1000;   // [s]
+constexpr double kBlurSeconds = 1.0 / 60;  // exposure time with motion blur
+constexpr int kBlurSamples = 6;
+constexpr float kExposure = 1.55F;
+
+MotionKind motion_of(Preset preset) {
+  switch (preset) {
+    case Preset::static_desk:
+      return MotionKind::desk;
+    case Preset::static_room:
+      return MotionKind::room_loop;
+    case Preset::walking_xyz:
+      return MotionKind::xyz;
+    case Preset::walking_halfsphere:
+      return MotionKind::halfsphere;
+    case Preset::walking_rpy:
+      return MotionKind::rpy;
+    case Preset::walking_static:
+      return MotionKind::held;
+    case Preset::moving_box:
+      break;
+  }
+  return MotionKind::xyz;
+}
+
+double seconds_of(Preset preset) {
+  switch (preset) {
+    case Preset::static_desk:
+      return 20;
+    case Preset::static_room:
+      return CameraMotion::kLoopSeconds;
+    default:
+      return 30;
+  }
+}
+
+}  // namespace
+
+Preset preset_named(std::string_view name) {
+  std::string all;
+  for (const auto& [preset, word] : EnumNames<Preset>::values) {
+    if (name == word) return preset;
+    all += (all.empty() ? "" : ", ") + std::string(word);
+  }
+  throw Error("preset", "there is no preset \"" + std::string(name) + "\"", "choose one of " + all);
+}
+
+Camera default_render_camera() {
+  Camera camera;
+  camera.fx = 535.4;
+  camera.fy = 539.2;
+  camera.cx = 320.1;
+  camera.cy = 247.6;
+  return camera;
+}
+
+/// Everything a sequence is rendered with.
+class RenderedSequence::Studio {
+ public:
+  Studio(Preset chosen, const RenderSettings& chosen_settings)
+      : preset(chosen),
+        settings(chosen_settings),
+        camera(settings.camera.value_or(default_render_camera())),
+        motion(motion_of(preset), settings.seed),
+        room(make_room(settings.seed, preset != Preset::moving_box)),
+        scene(room.world.mesh, TreeQuality::good),
+        light(room.world, scene),
+        shader(room.world, light),
+        rays(checked(camera)),
+        exposer(rays, scene, shader),
+        depth_sensor(camera) {}
+
+  static const Camera& checked(const Camera& c) {
+    c.validate("render settings: camera");
+    return c;
+  }
+
+  double time(int index) const { return index / camera.frames_per_second; }
+
+  Film expose(int index) const {
+    if (!settings.motion_blur) return exposer.expose(motion.world_from_cam(time(index)), nullptr);
+    Film film = exposer.expose(motion.world_from_cam(time(index)), nullptr);
+    film.colour.setTo(0);
+    for (int i = 0; i < kBlurSamples; ++i) {
+      const double shift = kBlurSeconds * ((i + 0.5) / kBlurSamples - 0.5);
+      const Pose pose = motion.world_from_cam(std::max(0.0, time(index) + shift));
+      film.colour += exposer.expose(pose, nullptr).colour * (1.0F / kBlurSamples);
+    }
+    return film;
+  }
+
+  const Preset preset;
+  const RenderSettings settings;
+  const Camera camera;
+  const CameraMotion motion;
+  const Room room;
+  const RayScene scene;
+  const BakedLight light;
+  const SurfaceShader shader;
+  const RayGrid rays;
+  const FilmExposer exposer;
+  const ColourSensor colour_sensor;
+  const DepthSensor depth_sensor;
+};
+
+RenderedSequence::RenderedSequence(Preset preset, const RenderSettings& settings)
+    : studio_(std::make_unique<Studio>(preset, settings)) {}
+RenderedSequence::~RenderedSequence() = default;
+RenderedSequence::RenderedSequence(RenderedSequence&&) noexcept = default;
+RenderedSequence& RenderedSequence::operator=(RenderedSequence&&) noexcept = default;
+
+const Camera& RenderedSequence::camera() const { return studio_->camera; }
+
+int RenderedSequence::frame_count() const {
+  return static_cast<int>(std::lround(seconds_of(studio_->preset) * studio_->camera.frames_per_second));
+}
+
+double RenderedSequence::timestamp(int index) const { return kFirstTimestamp + studio_->time(index); }
+
+Pose RenderedSequence::world_from_cam(int index) const {
+  return studio_->motion.world_from_cam(studio_->time(index));
+}
+
+RenderedFrame RenderedSequence::render(int index) const {
+  assert(index >= 0);
+  const Film film = studio_->expose(index);
+  const std::uint64_t noise = studio_->settings.seed * 1000003ULL + static_cast<std::uint64_t>(index);
+  RenderedFrame frame;
+  frame.image.timestamp = timestamp(index);
+  frame.image.colour = studio_->colour_sensor.image(film.colour, kExposure, noise);
+  frame.image.depth = studio_->depth_sensor.image(film.depth, film.infrared, noise);
+  frame.mask = film.mask;
+  frame.world_from_cam = world_from_cam(index);
+  return frame;
+}
+
+}  // namespace stdc

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/camera.hpp"
+#include "core/pose.hpp"
+#include "core/rgbd_image.hpp"
+#include "core/setting.hpp"
+
+namespace stdc {
+
+/// The sequences that can be rendered. The `walking` ones follow the camera motions of the TUM RGB-D
+/// benchmark (Sturm et al. 2012) with two people who walk, turn, stop and sit between the camera and the
+/// desks.
+enum class Preset {
+  static_desk,
+  static_room,  ///< one round through the room that ends where it began
+  walking_xyz,
+  walking_halfsphere,
+  walking_rpy,
+  walking_static,
+  moving_box,  ///< a person carries a box and puts it down; a chair is pushed
+};
+
+template <>
+struct EnumNames<Preset> {
+  static constexpr std::array values{
+      std::pair{Preset::static_desk, "static-desk"},
+      std::pair{Preset::static_room, "static-room"},
+      std::pair{Preset::walking_xyz, "walking-xyz"},
+      std::pair{Preset::walking_halfsphere, "walking-halfsphere"},
+      std::pair{Preset::walking_rpy, "walking-rpy"},
+      std::pair{Preset::walking_static, "walking-static"},
+      std::pair{Preset::moving_box, "moving-box"},
+  };
+};
+
+/// Throws Error listing the presets if there is none of that name.
+Preset preset_named(std::string_view name);
+
+struct RenderSettings {
+  std::uint64_t seed = 1;        ///< of textures, clutter, people, trembling and noise
+  bool with_people = true;       ///< false: the same room and camera motion without anything that moves
+  bool motion_blur = false;      ///< expose over 1/60 s instead of an instant
+  std::optional<Camera> camera;  ///< default: default_render_camera()
+};
+
+/// 640 x 480, 30 Hz, the focal lengths of TUM's freiburg3 camera without lens distortion.
+Camera default_render_camera();
+
+struct RenderedFrame {
+  RgbdImage image;      ///< BGR, and 16-bit depth; timestamp included
+  cv::Mat mask;         ///< CV_8UC1, 255: dynamic
+  Pose world_from_cam;  ///< exact, in the middle of the exposure
+};
+
+/// A sequence that is rendered frame by frame, in any order. `render` may be called from several threads at
+/// once; a frame is the same bytes whenever, on whatever thread and however often it is rendered.
+class RenderedSequence {
+ public:
+  /// Throws Error if the camera is not valid.
+  RenderedSequence(Preset preset, const RenderSettings& settings);
+  ~RenderedSequence();
+  RenderedSequence(RenderedSequence&&) noexcept;
+  RenderedSequence& operator=(RenderedSequence&&) noexcept;
+
+  const Camera& camera() const;
+  /// How many frames the preset has unless somebody asks for fewer or more; any index >= 0 can be rendered.
+  int frame_count() const;
+  double timestamp(int index) const;
+  Pose world_from_cam(int index) const;
+  RenderedFrame render(int index) const;
+
+ private:
+  class Studio;
+  std::unique_ptr<Studio> studio_;
+};
+
+}  // namespace stdc

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rendering/material.hpp"
+#include "rendering/mesh.hpp"
+#include "rendering/texture.hpp"
+
+namespace stdc {
+
+/// A parallelogram that gives light to the side of s_edge x t_edge [m].
+struct AreaLight {
+  Eigen::Vector3f corner, s_edge, t_edge;
+  Rgb radiance;  ///< a white surface facing a sky of radiance 1 all round shows colour 1
+};
+
+/// What stands still: everything the camera can see except people and things that are moved. World frame:
+/// metres, z up, floor at z = 0.
+struct World {
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  Mesh mesh;
+  std::vector<AreaLight> lights;
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(),
+                  high = Eigen::Vector3d::Zero();  ///< inner corners of the room
+};
+
+}  // namespace stdc
