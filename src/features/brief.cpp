@@ -1,60 +1,87 @@
 #include "features/brief.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "features/brief.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#ifndef STDC_FEATURES_BRIEF_ONCE
+#define STDC_FEATURES_BRIEF_ONCE
 namespace stdc {
 namespace {
 
-std::int8_t nearest(double value) {
-  // The bias decides ties the same way whatever the last bit of sin and cos is.
-  return static_cast<std::int8_t>(std::floor(value + 0.5 + 1e-9));
-}
-
-BriefPattern turn(const BriefPattern& pattern, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  BriefPattern turned;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const BriefTest& test = pattern[i];
-    turned[i] = {nearest(c * test.x0 - s * test.y0), nearest(s * test.x0 + c * test.y0),
-                 nearest(c * test.x1 - s * test.y1), nearest(s * test.x1 + c * test.y1)};
-  }
-  return turned;
-}
+constexpr int kFraction = 10;  // coordinates are in 1/1024 px
+constexpr int kTests = 256, kPixels = 2 * kTests;
 
 }  // namespace
+}  // namespace stdc
+#endif
 
-BriefExtractor::BriefExtractor(const BriefPattern& pattern) {
-  for (int i = 0; i < kAngles; ++i) turned_.push_back(turn(pattern, 2 * std::numbers::pi * i / kAngles));
-}
+HWY_BEFORE_NAMESPACE();
+namespace stdc {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
-void BriefExtractor::set_stride(std::ptrdiff_t stride) {
-  stride_ = stride;
-  offsets_.clear();
-  offsets_.reserve(turned_.size() * turned_[0].size() * 2);
-  for (const BriefPattern& pattern : turned_) {
-    for (const BriefTest& test : pattern) {
-      offsets_.push_back(static_cast<std::int32_t>(test.y0 * stride + test.x0));
-      offsets_.push_back(static_cast<std::int32_t>(test.y1 * stride + test.x1));
-    }
+// Offsets of the turned pixels in an image; cosine and sine in 1/32768. All in integers: the same everywhere.
+void turned_offsets(const std::int16_t* xs, const std::int16_t* ys, std::int16_t cosine, std::int16_t sine,
+                    std::int32_t stride, std::int32_t* offsets) {
+  const hn::ScalableTag<std::int32_t> d32;
+  const hn::Rebind<std::int16_t, decltype(d32)> d16;
+  const auto c = hn::Set(d16, cosine), s = hn::Set(d16, sine);
+  const auto half = hn::Set(d16, 1 << (kFraction - 1));
+  const auto row = hn::Set(d32, stride);
+  for (int i = 0; i < kPixels; i += static_cast<int>(hn::Lanes(d32))) {
+    const auto x = hn::Load(d16, xs + i), y = hn::Load(d16, ys + i);
+    const auto u = hn::Sub(hn::MulFixedPoint15(x, c), hn::MulFixedPoint15(y, s));
+    const auto v = hn::Add(hn::MulFixedPoint15(x, s), hn::MulFixedPoint15(y, c));
+    const auto column = hn::PromoteTo(d32, hn::ShiftRight<kFraction>(hn::Add(u, half)));
+    const auto line = hn::PromoteTo(d32, hn::ShiftRight<kFraction>(hn::Add(v, half)));
+    hn::Store(hn::Add(hn::Mul(line, row), column), d32, offsets + i);
   }
 }
 
-Descriptor BriefExtractor::describe(const ImageView& smoothed, int x, int y, float angle) {
-  if (smoothed.stride != stride_) set_stride(smoothed.stride);
-  const double turns = angle / (2 * std::numbers::pi);
-  const int bin = static_cast<int>(std::lround(turns * kAngles)) & (kAngles - 1);
-  const std::int32_t* offset = offsets_.data() + static_cast<std::size_t>(bin) * 512;
-  const std::uint8_t* centre = smoothed.row(y) + x;
+}  // namespace HWY_NAMESPACE
+}  // namespace stdc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace stdc {
+HWY_EXPORT(turned_offsets);
+
+SteeredBrief::SteeredBrief(const BriefPattern& pattern) {
+  for (std::size_t i = 0; i < kTests; ++i) {
+    x_[i] = static_cast<std::int16_t>(pattern[i].x0 * (1 << kFraction));
+    y_[i] = static_cast<std::int16_t>(pattern[i].y0 * (1 << kFraction));
+    x_[i + kTests] = static_cast<std::int16_t>(pattern[i].x1 * (1 << kFraction));
+    y_[i + kTests] = static_cast<std::int16_t>(pattern[i].y1 * (1 << kFraction));
+  }
+}
+
+Descriptor SteeredBrief::describe(const ImageView& smoothed, int x, int y, Direction direction) const {
+  const auto fixed = [](float value) {
+    constexpr float kOne = 32767;
+    return static_cast<std::int16_t>(std::floor(value * kOne + 0.5F));
+  };
+  alignas(64) std::int32_t offsets[kPixels];
+  HWY_DYNAMIC_DISPATCH(turned_offsets)
+  (x_.data(), y_.data(), fixed(direction.cosine), fixed(direction.sine),
+   static_cast<std::int32_t>(smoothed.stride), offsets);
+  const std::uint8_t* const centre = smoothed.row(y) + x;
   Descriptor descriptor;
-  for (std::uint64_t& word : descriptor.bits) {
+  for (int word = 0; word < 4; ++word) {
+    const std::int32_t* const first = offsets + 64 * word;
+    const std::int32_t* const second = first + kTests;
     std::uint64_t bits = 0;
-    for (int i = 0; i < 64; ++i, offset += 2) {
-      bits = bits << 1U | static_cast<std::uint64_t>(centre[offset[0]] < centre[offset[1]]);
+    for (int i = 63; i >= 0; --i) {
+      bits = bits + bits + static_cast<std::uint64_t>(centre[first[i]] < centre[second[i]]);
     }
-    word = bits;
+    descriptor.bits[static_cast<std::size_t>(word)] = bits;
   }
   return descriptor;
 }
 
 }  // namespace stdc
+#endif

@@ -5,17 +5,17 @@
 namespace stdc {
 namespace {
 
-// Calonder et al., BRIEF, ECCV 2010, method GII: both pixels normal about the centre with variance S^2 / 25.
+// Calonder et al., BRIEF, ECCV 2010, method GII: both pixels normal about the centre.
 BriefPattern draw_pattern() {
   constexpr std::uint64_t kSeed = 2023;
-  constexpr double kSigma = (2 * kPatchRadius + 1) / 5.0;
+  constexpr double kSigma = 0.6 * kBriefRadius;
   Random random(kSeed);
   const auto draw = [&](std::int8_t& x, std::int8_t& y) {
     double u = 0, v = 0;
     do {
       u = std::round(kSigma * random.normal());
       v = std::round(kSigma * random.normal());
-    } while (u * u + v * v > kPatchRadius * kPatchRadius);
+    } while (u * u + v * v > kBriefRadius * kBriefRadius);
     x = static_cast<std::int8_t>(u);
     y = static_cast<std::int8_t>(v);
   };

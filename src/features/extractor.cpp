@@ -56,7 +56,7 @@ struct FeatureExtractor::Implementation {
   CandidateChooser chooser;
   std::vector<Candidate> candidates;
   Quadtree quadtree;
-  BriefExtractor brief;
+  SteeredBrief brief;
   std::vector<SelectionCell> cells;
 };
 
@@ -101,10 +101,11 @@ int FeatureExtractor::Implementation::select_level(int level, int budget, Featur
   const float s = scale(level);
   for (const int winner : winners) {
     const Candidate& c = candidates[at(winner)];
-    const float angle = intensity_centroid_angle(image, c.x, c.y);
-    features.keypoints.push_back({level_to_image(c.x, s), level_to_image(c.y, s), angle, c.response,
-                                  static_cast<std::uint8_t>(level), c.quality});
-    features.descriptors.push_back(brief.describe(smoothed[at(level)].view(), c.x, c.y, angle));
+    const PatchMoments moments = patch_moments(image, c.x, c.y);
+    features.keypoints.push_back({level_to_image(c.x, s), level_to_image(c.y, s), angle_of(moments),
+                                  c.response, static_cast<std::uint8_t>(level), c.quality});
+    features.descriptors.push_back(
+        brief.describe(smoothed[at(level)].view(), c.x, c.y, direction_of(moments)));
   }
   for (const Cell& cell : quadtree.cells()) {
     // Edges lie between pixels: half a pixel before the first one.

@@ -104,8 +104,14 @@ double portable_atan2(double y, double x) {
   return y < 0 ? -angle : angle;
 }
 
-float intensity_centroid_angle(const ImageView& image, int x, int y) {
-  const PatchMoments moments = patch_moments(image, x, y);
+Direction direction_of(const PatchMoments& moments) {
+  const double x = moments.m10, y = moments.m01;
+  const double length = std::sqrt(x * x + y * y);
+  if (length == 0) return {};
+  return {static_cast<float>(x / length), static_cast<float>(y / length)};
+}
+
+float angle_of(const PatchMoments& moments) {
   return static_cast<float>(portable_atan2(moments.m01, moments.m10));
 }
 

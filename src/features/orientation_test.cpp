@@ -43,13 +43,26 @@ TEST(Orientation, PointsToTheBrightSide) {
         grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(std::lround(128.3 + 3 * along));
       }
     }
-    EXPECT_NEAR(intensity_centroid_angle(test::padded(grey).view(), 32, 32), angle, 0.02);
+    EXPECT_NEAR(angle_of(patch_moments(test::padded(grey).view(), 32, 32)), angle, 0.02);
   }
 }
 
 TEST(Orientation, OfAFlatPatchIsZero) {
-  EXPECT_EQ(intensity_centroid_angle(test::padded(cv::Mat(64, 64, CV_8UC1, cv::Scalar(77))).view(), 30, 30),
-            0);
+  const PatchMoments moments =
+      patch_moments(test::padded(cv::Mat(64, 64, CV_8UC1, cv::Scalar(77))).view(), 30, 30);
+  EXPECT_EQ(angle_of(moments), 0);
+  EXPECT_EQ(direction_of(moments).cosine, 1);
+  EXPECT_EQ(direction_of(moments).sine, 0);
+}
+
+TEST(Orientation, DirectionAndAngleAgree) {
+  Random random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const PatchMoments moments{static_cast<int>(1e5 * random.normal()),
+                               static_cast<int>(1e3 * random.normal())};
+    EXPECT_NEAR(direction_of(moments).cosine, std::cos(angle_of(moments)), 1e-6);
+    EXPECT_NEAR(direction_of(moments).sine, std::sin(angle_of(moments)), 1e-6);
+  }
 }
 
 TEST(Orientation, PortableAtan2Agrees) {

@@ -9,7 +9,7 @@
 namespace stdc {
 
 /// Level pixels between a keypoint and the edge of its level: the orientation and descriptor patches fit.
-inline constexpr int kBorder = 16;
+inline constexpr int kBorder = 19;
 
 /// Number of levels for an image [px]: the setting if it is not 0; else Eq. 2, Round(max(W, H) / 100), at
 /// least 1, for the improved selection, and 8 for the classic one.
