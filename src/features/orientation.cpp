@@ -17,24 +17,29 @@ namespace {
 
 constexpr int kColumns = 2 * kPatchRadius + 2;  // x = -16..15; the first one is outside the disc
 
-/// For each |y|: -1 (all bits) in the columns of the disc, 0 outside.
-struct alignas(64) DiscMasks {
-  std::int16_t rows[kPatchRadius + 1][kColumns];
+struct alignas(64) Disc {
+  std::int16_t rows[kPatchRadius + 1][kColumns];  // for each |y|: -1 (all bits) inside the disc, 0 outside
+  std::int16_t columns[kColumns];                 // x
+  std::int16_t ones[kColumns];
 };
 
-constexpr DiscMasks make_disc_masks() {
-  DiscMasks masks{};
+constexpr Disc make_disc() {
+  Disc disc{};
   for (int y = 0; y <= kPatchRadius; ++y) {
     for (int i = 0; i < kColumns; ++i) {
       const int x = i - kPatchRadius - 1;
       // x^2 + y^2 <= (r + 1/2)^2 in integers
-      masks.rows[y][i] = x * x + y * y <= kPatchRadius * (kPatchRadius + 1) ? -1 : 0;
+      disc.rows[y][i] = x * x + y * y <= kPatchRadius * (kPatchRadius + 1) ? -1 : 0;
     }
   }
-  return masks;
+  for (int i = 0; i < kColumns; ++i) {
+    disc.columns[i] = static_cast<std::int16_t>(i - kPatchRadius - 1);
+    disc.ones[i] = 1;
+  }
+  return disc;
 }
 
-constexpr DiscMasks kDisc = make_disc_masks();
+constexpr Disc kDisc = make_disc();
 
 }  // namespace
 }  // namespace stdc
@@ -44,6 +49,22 @@ HWY_BEFORE_NAMESPACE();
 namespace stdc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+std::int32_t weighted_sum(const std::int16_t* values, const std::int16_t* weights) {
+#if HWY_TARGET == HWY_SCALAR
+  std::int32_t sum = 0;
+  for (int i = 0; i < kColumns; ++i) sum += values[i] * weights[i];
+  return sum;
+#else
+  const hn::CappedTag<std::int16_t, 16> d;
+  const hn::RepartitionToWide<decltype(d)> d32;
+  auto even = hn::Zero(d32), odd = hn::Zero(d32);
+  for (int i = 0; i < kColumns; i += static_cast<int>(hn::Lanes(d))) {
+    even = hn::ReorderWidenMulAccumulate(d32, hn::Load(d, values + i), hn::Load(d, weights + i), even, odd);
+  }
+  return hn::GetLane(hn::SumOfLanes(d32, hn::Add(even, odd)));
+#endif
+}
 
 // Sums over the columns stay in 16 bits: 31 * 255 for sums, 255 * (1 + ... + 15) for the differences of rows
 // at +y and -y times y.
@@ -67,12 +88,7 @@ PatchMoments moments(const ImageView& image, int x, int y) {
     hn::Store(sum, d, sums + i);
     hn::Store(difference, d, differences + i);
   }
-  PatchMoments result;
-  for (int i = 0; i < kColumns; ++i) {
-    result.m10 += (i - kPatchRadius - 1) * sums[i];
-    result.m01 += differences[i];
-  }
-  return result;
+  return {weighted_sum(sums, kDisc.columns), weighted_sum(differences, kDisc.ones)};
 }
 
 }  // namespace HWY_NAMESPACE
