@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("stdc-slam: ") + error.what() + "; run with --help to see the options\n";
   });
+  stdc::app::add_run_command(app);
   stdc::app::add_evaluate_command(app);
   stdc::app::add_settings_command(app);
   try {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <csetjmp>
 #include <cstring>
+#include <opencv2/imgproc.hpp>
 
 #include "datasets/image_codec.hpp"
 
@@ -39,19 +40,13 @@ void read_bytes(png_structp png, png_bytep to, std::size_t count) {
 }
 
 /// Asks libpng to turn what is stored into what the caller wants. False if it cannot be.
-bool ask_for_colour(png_structp png, png_infop info, ColourMode mode) {
+bool ask_for_colour(png_structp png, png_infop info) {
   const int type = png_get_color_type(png, info);
   if (png_get_bit_depth(png, info) > 8) return false;
   if (type == PNG_COLOR_TYPE_PALETTE) png_set_palette_to_rgb(png);
   if (type == PNG_COLOR_TYPE_GRAY) png_set_expand_gray_1_2_4_to_8(png);
   png_set_strip_alpha(png);
-  if ((type & PNG_COLOR_MASK_COLOR) != 0) {
-    if (mode == ColourMode::grey) {
-      png_set_rgb_to_gray(png, PNG_ERROR_ACTION_NONE, 0.299, 0.587);
-    } else {
-      png_set_bgr(png);
-    }
-  }
+  if ((type & PNG_COLOR_MASK_COLOR) != 0) png_set_bgr(png);
   return true;
 }
 
@@ -62,7 +57,7 @@ bool ask_for_depth(png_structp png, png_infop info) {
   return true;
 }
 
-enum class Kind { colour, grey, depth };
+enum class Kind { colour, depth };
 
 /// Reads the header and settles the output format; fills `reader.problem` if the image is not what is wanted.
 bool start(png_structp png, png_infop info, PngReader& reader, cv::Size size, Kind kind) {
@@ -77,10 +72,7 @@ bool start(png_structp png, png_infop info, PngReader& reader, cv::Size size, Ki
                   width, height, size.width, size.height);
     return false;
   }
-  const bool fits =
-      kind == Kind::depth
-          ? ask_for_depth(png, info)
-          : ask_for_colour(png, info, kind == Kind::grey ? ColourMode::grey : ColourMode::as_stored);
+  const bool fits = kind == Kind::depth ? ask_for_depth(png, info) : ask_for_colour(png, info);
   if (!fits) {
     std::snprintf(reader.problem, sizeof reader.problem, "has %d channel(s) of %d bits, but %s is needed",
                   png_get_channels(png, info), png_get_bit_depth(png, info),
@@ -129,7 +121,13 @@ void no_flush(png_structp) {}
 bool is_png(Bytes bytes) { return bytes.size() >= 8 && png_sig_cmp(bytes.data(), 0, 8) == 0; }
 
 DecodedImage decode_png_colour(Bytes bytes, cv::Size size, ColourMode mode) {
-  return decode(bytes, size, mode == ColourMode::grey ? Kind::grey : Kind::colour);
+  DecodedImage decoded = decode(bytes, size, Kind::colour);
+  if (mode == ColourMode::grey && decoded.image.channels() == 3) {
+    cv::Mat grey;
+    cv::cvtColor(decoded.image, grey, cv::COLOR_BGR2GRAY);
+    decoded.image = grey;
+  }
+  return decoded;
 }
 
 DecodedImage decode_png_depth(Bytes bytes, cv::Size size) { return decode(bytes, size, Kind::depth); }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <csignal>
+
+namespace stdc::app {
+
+/// Holds back Ctrl-C and a polite kill while it lives, so that a run can stop between two frames and tidy up.
+/// After that the signal does what it always does. To be made before any thread is started: they inherit.
+class InterruptWatch {
+ public:
+  InterruptWatch();
+  ~InterruptWatch();
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+  /// Has one of the signals come?
+  bool interrupted() const;
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace stdc::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "settings_options.hpp"
+
+namespace stdc::app {
+
+/// What `stdc-slam run` was asked to do.
+struct RunOptions {
+  std::filesystem::path sequence, output;
+  std::optional<std::filesystem::path> camera, debug_images;
+  SettingsOptions settings;
+  std::string frames;    ///< "A:B": frames A..B-1 of the sequence; either may be missing
+  int debug_every = 10;  ///< a picture of every n-th frame
+  bool quiet = false;
+};
+
+/// Runs on a sequence and writes the results. Throws Error for bad input; then nothing is written.
+void run_sequence(const RunOptions& options);
+
+/// The half-open range of "A:B" within `count` frames. Throws Error.
+std::pair<int, int> parse_frame_range(const std::string& text, int count);
+
+}  // namespace stdc::app

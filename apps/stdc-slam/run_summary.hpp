@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "evaluation/trajectory_error.hpp"
+#include "process_usage.hpp"
+#include "run_record.hpp"
+#include "slam/settings.hpp"
+
+namespace stdc::app {
+
+/// Everything that a finished run tells about itself.
+struct RunSummary {
+  std::string sequence;
+  std::string camera;  ///< its text, as in camera.yaml
+  int first_frame = 0;
+  int colour_without_depth = 0;
+  int keyframes = 0, landmarks = 0;
+  double start_up_seconds = 0;    ///< from the start of the process to the end of the first frame
+  double processing_seconds = 0;  ///< wall, from the first frame to the end of the last
+  ProcessUsage usage;
+  std::optional<TrajectoryScores> scores;
+  std::string not_scored;  ///< why there are no scores though there is a ground truth
+};
+
+/// summary.json.
+std::string summary_json(const RunSummary& summary, const RunRecord& record, const Settings& settings);
+/// A few lines for the terminal.
+std::string summary_text(const RunSummary& summary, const RunRecord& record);
+
+}  // namespace stdc::app
