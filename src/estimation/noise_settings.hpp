@@ -4,11 +4,12 @@
 
 namespace stdc {
 
-/// Noise of the two kinds of measurement that a keypoint gives.
+/// Noise of the measurements that a keypoint gives.
 /// A depth camera that triangulates has sigma_z = k z^2 (Khoshelham and Oude Elberink, 'Accuracy and
 /// Resolution of Kinect Depth Data', Sensors 2012), which is a constant sigma of the inverse depth: k.
 struct NoiseSettings {
   double pixel_sigma = 1.0;
+  double aligned_pixel_sigma = 0.5;
   double inverse_depth_sigma = 0.01;
 
   template <typename Self, typename Visit>
@@ -16,6 +17,8 @@ struct NoiseSettings {
     visit(Setting{"pixel_sigma", "px", "Noise of a keypoint on pyramid level 0; grows with the level's scale",
                   0.01, 20},
           self.pixel_sigma);
+    visit(Setting{"aligned_pixel_sigma", "px", "The same, where its patch was aligned to the landmark's", 0.01, 20},
+          self.aligned_pixel_sigma);
     visit(Setting{"inverse_depth_sigma", "1/m", "Noise of the inverse depth: sigma_z = this * z^2", 1e-5, 1},
           self.inverse_depth_sigma);
   }

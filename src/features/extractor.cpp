@@ -157,6 +157,7 @@ Features FeatureExtractor::select(const cv::Mat& dynamic_mask) {
 int FeatureExtractor::levels(cv::Size image_size) const {
   return level_count(implementation_->settings, image_size);
 }
+const Pyramid& FeatureExtractor::pyramid() const { return implementation_->pyramid; }
 float FeatureExtractor::scale(int level) const { return implementation_->scale(level); }
 const FeatureSettings& FeatureExtractor::settings() const { return implementation_->settings; }
 const std::vector<SelectionCell>& FeatureExtractor::cells() const { return implementation_->cells; }

@@ -11,7 +11,7 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
 }
 
 FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth,
-                             double scale_factor, int levels)
+                             double scale_factor, int levels, const Pyramid* pyramid)
     : keypoints_(std::move(features.keypoints)),
       descriptors_(std::move(features.descriptors)),
       log_scale_factor_(static_cast<float>(std::log(scale_factor))) {
@@ -27,6 +27,21 @@ FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::
     scales_.push_back(static_cast<float>(std::pow(scale_factor, level)));
   }
   build_index(camera);
+  if (pyramid != nullptr) cut_patches(*pyramid);
+}
+
+void FrameFeatures::cut_patches(const Pyramid& pyramid) {
+  patches_.reserve(keypoints_.size());
+  for (const Keypoint& keypoint : keypoints_) {
+    const float scale = scales_[keypoint.level];
+    patches_.push_back(cut_patch(pyramid.level(keypoint.level).view(),
+                                 static_cast<int>(std::lround(image_to_level(keypoint.x, scale))),
+                                 static_cast<int>(std::lround(image_to_level(keypoint.y, scale)))));
+  }
+}
+
+int FrameFeatures::nearest_level(float scale) const {
+  return std::clamp(static_cast<int>(std::lround(std::log(scale) / log_scale_factor_)), 0, levels() - 1);
 }
 
 int FrameFeatures::count(KeypointQuality quality) const {

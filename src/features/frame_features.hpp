@@ -9,6 +9,8 @@
 
 #include "core/camera.hpp"
 #include "features/keypoint.hpp"
+#include "features/patch_alignment.hpp"
+#include "features/pyramid.hpp"
 
 namespace stdc {
 
@@ -20,8 +22,9 @@ class FrameFeatures {
   /// @param depth         registered depth image (CV_16UC1 or CV_32FC1), or empty: all depths missing
   /// @param scale_factor  of the pyramid that the features come from
   /// @param levels        of that pyramid
+  /// @param pyramid       to cut the keypoints' patches from; null: they have none
   FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth, double scale_factor,
-                int levels);
+                int levels, const Pyramid* pyramid);
 
   int size() const { return static_cast<int>(keypoints_.size()); }
   /// In raw pixels, as extracted.
@@ -38,6 +41,10 @@ class FrameFeatures {
   float log_scale_factor() const { return log_scale_factor_; }
   const std::vector<Keypoint>& keypoints() const { return keypoints_; }
   int count(KeypointQuality quality) const;
+  /// The keypoint's surroundings on its level, or null.
+  const Patch* patch(int i) const { return patches_.empty() ? nullptr : &patches_[i]; }
+  /// The level on which something seen at this scale appears most like itself.
+  int nearest_level(float scale) const;
 
   /// Calls visit(i) for the keypoints within `radius` [px] of an ideal pixel along each axis (a square
   /// window) whose level lies in [lowest, highest], in a fixed order.
@@ -70,11 +77,13 @@ class FrameFeatures {
     return std::clamp(static_cast<int>(coordinate * (1 / kCellSize)), 0, cells - 1);
   }
   void build_index(const Camera& camera);
+  void cut_patches(const Pyramid& pyramid);
 
   std::vector<Keypoint> keypoints_;
   std::vector<Descriptor> descriptors_;
   std::vector<Eigen::Vector2f> pixels_;
   std::vector<float> depths_;
+  std::vector<Patch> patches_;
   std::vector<float> scales_;
   float log_scale_factor_ = 0;
   int columns_ = 0, rows_ = 0;

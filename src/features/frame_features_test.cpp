@@ -24,7 +24,7 @@ Features random_features(int count, std::uint64_t seed) {
 TEST(FrameFeatures, WindowFindsWhatASearchOfAllFinds) {
   Camera camera;
   camera.k1 = 0.2;  // pushes ideal pixels about, some out of the image
-  const FrameFeatures frame(camera, random_features(800, 1), {}, 1.2, 6);
+  const FrameFeatures frame(camera, random_features(800, 1), {}, 1.2, 6, nullptr);
   Random random(2);
   for (int trial = 0; trial < 300; ++trial) {
     const float x = static_cast<float>(random.uniform(-50, 700)),
@@ -58,7 +58,7 @@ TEST(FrameFeatures, ReadsDepthOfBothKindsAndMarksTheMissing) {
 }
 
 TEST(FrameFeatures, EmptyFrameIsFine) {
-  const FrameFeatures frame(Camera(), {}, {}, 1.2, 6);
+  const FrameFeatures frame(Camera(), {}, {}, 1.2, 6, nullptr);
   EXPECT_EQ(frame.size(), 0);
   frame.for_each_in_window(10, 10, 1000, 0, 9, [](int) { FAIL(); });
 }

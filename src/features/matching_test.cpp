@@ -20,7 +20,7 @@ FrameFeatures random_frame(int count, std::uint64_t seed) {
     for (auto& word : features.descriptors[i].bits)
       word = (std::uint64_t{random.next()} << 32U) | random.next();
   }
-  return {Camera(), std::move(features), {}, 1.2, 3};
+  return {Camera(), std::move(features), {}, 1.2, 3, nullptr};
 }
 
 TEST(Matching, HammingCountsBits) {
@@ -73,7 +73,7 @@ TEST(Matching, MatchAllFindsAPermutation) {
     turned.descriptors.push_back(a.descriptor(j));
     turned.descriptors.back().bits[0] ^= 0xFF;  // eight bits of noise
   }
-  const FrameFeatures b(Camera(), std::move(turned), {}, 1.2, 3);
+  const FrameFeatures b(Camera(), std::move(turned), {}, 1.2, 3, nullptr);
   const std::vector<std::uint8_t> all(a.size(), 1);
   const auto pairs = match_all(a, all, b, 50, 0.8);
   EXPECT_EQ(pairs.size(), 200U);

@@ -26,6 +26,8 @@ std::vector<int> level_budgets(const FeatureSettings& settings, const std::vecto
 
 /// Level-0 coordinate of a coordinate of a level with that scale; (0, 0) is the centre of the first pixel.
 inline float level_to_image(float coordinate, float scale) { return (coordinate + 0.5F) * scale - 0.5F; }
+/// The inverse of level_to_image.
+inline float image_to_level(float coordinate, float scale) { return (coordinate + 0.5F) / scale - 0.5F; }
 
 /// The image at falling scales, each level bilinearly sampled from the one below; all of one stride.
 class Pyramid {

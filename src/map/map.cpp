@@ -40,6 +40,12 @@ bool more_shared(const Covisible& a, const Covisible& b) {
 
 }  // namespace
 
+std::vector<Measurement> keypoint_measurements(const FrameFeatures& features) {
+  std::vector<Measurement> measurements(features.size());
+  for (int i = 0; i < features.size(); ++i) measurements[i] = {features.pixel(i), features.scale_of(i)};
+  return measurements;
+}
+
 KeyframeId Map::add_keyframe(int frame, double timestamp, const Pose& cam_from_world,
                              std::shared_ptr<const FrameFeatures> features) {
   auto keyframe = std::make_unique<Keyframe>();
@@ -48,6 +54,7 @@ KeyframeId Map::add_keyframe(int frame, double timestamp, const Pose& cam_from_w
   keyframe->timestamp = timestamp;
   keyframe->cam_from_world = cam_from_world;
   keyframe->landmarks.resize(features->size());
+  keyframe->measurements = keypoint_measurements(*features);
   keyframe->features = std::move(features);
   keyframes_.push_back(std::move(keyframe));
   removed_.emplace_back();

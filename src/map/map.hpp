@@ -19,6 +19,9 @@ class Map {
  public:
   KeyframeId add_keyframe(int frame, double timestamp, const Pose& cam_from_world,
                           std::shared_ptr<const FrameFeatures> features);
+  void set_measurement(KeyframeId id, int keypoint, const Measurement& measurement) {
+    keyframes_[id.value]->measurements[keypoint] = measurement;
+  }
   LandmarkId add_landmark(const Eigen::Vector3d& position, KeyframeId created_by);
 
   bool has(KeyframeId id) const { return id.value < keyframes_.size() && keyframes_[id.value] != nullptr; }

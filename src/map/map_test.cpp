@@ -15,7 +15,7 @@ std::shared_ptr<const FrameFeatures> features(int count, std::uint64_t seed = 1)
   for (Descriptor& descriptor : raw.descriptors) {
     for (auto& word : descriptor.bits) word = (std::uint64_t{random.next()} << 32U) | random.next();
   }
-  return std::make_shared<FrameFeatures>(Camera(), std::move(raw), cv::Mat(), 1.2, 6);
+  return std::make_shared<FrameFeatures>(Camera(), std::move(raw), cv::Mat(), 1.2, 6, nullptr);
 }
 
 /// Three keyframes, one metre apart along x, that all see `landmarks` landmarks with keypoints 0, 1, ...

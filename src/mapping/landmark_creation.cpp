@@ -10,6 +10,7 @@
 #include "estimation/triangulation.hpp"
 #include "features/hamming.hpp"
 #include "features/matching.hpp"
+#include "map/landmark_alignment.hpp"
 
 namespace stdc {
 namespace {
@@ -123,6 +124,17 @@ bool scales_agree(const View& a, const View& b, const KeypointPair& pair, const 
   return distances < scales * tolerance && scales < distances * tolerance;
 }
 
+/// The older of the two sights defines the landmark, the younger is aligned to it.
+void anchor_new(Map& map, const Camera& camera, const NoiseSettings& noise, LandmarkId id) {
+  const std::vector<Observation>& observations = map.landmark(id).observations;
+  const Observation& oldest = observations.front();
+  const FrameFeatures& features = *map.keyframe(oldest.keyframe).features;
+  const auto aligned = static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
+  map.set_measurement(oldest.keyframe, oldest.keypoint,
+                      {features.pixel(oldest.keypoint), features.scale_of(oldest.keypoint) * aligned});
+  align_observation(map, camera, noise, id, observations.back().keyframe);
+}
+
 }  // namespace
 
 int create_landmarks(Map& map, KeyframeId keyframe, const Camera& camera, const NoiseSettings& noise,
@@ -146,6 +158,7 @@ int create_landmarks(Map& map, KeyframeId keyframe, const Camera& camera, const 
       map.observe(a.id, pair.first, landmark);
       map.observe(b.id, pair.second, landmark);
       map.refresh(landmark);
+      anchor_new(map, camera, noise, landmark);
       ++created;
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "features/matching.hpp"
+#include "map/landmark_alignment.hpp"
 
 namespace stdc {
 namespace {
@@ -58,6 +59,12 @@ int find_in_keyframe(const Keyframe& keyframe, const Landmark& landmark, const C
   return inverse_residual * inverse_residual <= kChiSquare1 ? best.index : -1;
 }
 
+/// Two landmarks' corners differ by some pixels: now all must mean the oldest one's.
+void realign_all(Map& map, const Camera& camera, const NoiseSettings& noise, LandmarkId landmark) {
+  const std::vector<Observation> observations = map.landmark(landmark).observations;
+  for (const Observation& o : observations) align_observation(map, camera, noise, landmark, o.keyframe);
+}
+
 /// Lets a keyframe see a landmark if it can; merges with the one that stands there. True if the map changed.
 bool fuse_into(Map& map, KeyframeId keyframe, LandmarkId landmark, const Camera& camera,
                const NoiseSettings& noise, const MappingSettings& settings) {
@@ -66,12 +73,22 @@ bool fuse_into(Map& map, KeyframeId keyframe, LandmarkId landmark, const Camera&
       find_in_keyframe(map.keyframe(keyframe), map.landmark(landmark), camera, noise, settings);
   if (keypoint < 0) return false;
   const LandmarkId standing = map.keyframe(keyframe).landmarks[keypoint];
-  if (!standing.valid()) return map.observe(keyframe, keypoint, landmark);
+  if (!standing.valid()) {
+    map.observe(keyframe, keypoint, landmark);
+    if (map.landmark(landmark).observations.front().keyframe == keyframe) {
+      realign_all(map, camera, noise, landmark);  // it has a new anchor
+    } else {
+      align_observation(map, camera, noise, landmark, keyframe);
+    }
+    return true;
+  }
   // The better-founded of the two stays.
   if (map.landmark(standing).observations.size() > map.landmark(landmark).observations.size()) {
     map.merge(landmark, standing);
+    realign_all(map, camera, noise, standing);
   } else {
     map.merge(standing, landmark);
+    realign_all(map, camera, noise, landmark);
   }
   return true;
 }

@@ -69,10 +69,11 @@ LocalProblem make_problem(const Map& map, KeyframeId keyframe, const MappingSett
     problem.bundle.points.push_back(landmark.position);
     for (const Observation& o : landmark.observations) {
       if (pose_index[o.keyframe.value] < 0) continue;
-      const FrameFeatures& features = *map.keyframe(o.keyframe).features;
+      const Keyframe& seen_by = map.keyframe(o.keyframe);
+      const Measurement& measurement = seen_by.measurements[o.keypoint];
       problem.bundle.observations.push_back({pose_index[o.keyframe.value], static_cast<std::int32_t>(point),
-                                             features.pixel(o.keypoint), features.depth(o.keypoint),
-                                             features.scale_of(o.keypoint)});
+                                             measurement.pixel, seen_by.features->depth(o.keypoint),
+                                             measurement.scale});
       problem.keypoints.push_back(o.keypoint);
     }
   }

@@ -64,9 +64,9 @@ TrackingResult Pipeline::skip(double timestamp) {
 TrackedFrame Pipeline::extract(const RgbdImage& image) {
   cv::Mat grey = image.colour;
   if (image.colour.channels() == 3) cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
-  auto features =
-      std::make_shared<FrameFeatures>(camera_, extractor_.extract(grey), image.depth,
-                                      settings_.features.scale_factor, extractor_.levels(grey.size()));
+  auto features = std::make_shared<FrameFeatures>(camera_, extractor_.extract(grey), image.depth,
+                                                  settings_.features.scale_factor,
+                                                  extractor_.levels(grey.size()), &extractor_.pyramid());
   last_time_ = image.timestamp;
   return {next_frame_++, image.timestamp, std::move(features)};
 }
@@ -95,7 +95,7 @@ TrackingStatus Pipeline::locate(TrackedFrame& frame) {
   bool tracked = false;
   if (tracker_.has_last()) {
     if (!in_flight_) refresh_local_map(tracker_.last().landmarks);
-    tracked = tracker_.track(frame, local_map_);
+    tracked = tracker_.track(frame, local_map_, extractor_.pyramid());
   } else {
     tracked = relocalise(frame);
   }
@@ -135,7 +135,8 @@ bool Pipeline::relocalise(TrackedFrame& frame) {
       if (landmark >= 0) matches.push_back({i, landmark, local_map_.landmarks[landmark].position});
     }
     constexpr double kWider = 2.5;  // the pose is rougher than that of a tracked frame
-    if (tracker_.refine(frame, local_map_, std::move(matches), kWider * settings_.tracking.local_map_radius,
+    if (tracker_.refine(frame, local_map_, extractor_.pyramid(), std::move(matches),
+                        kWider * settings_.tracking.local_map_radius,
                         settings_.tracking.relocalisation_inliers)) {
       return true;
     }
@@ -151,7 +152,7 @@ bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
 
 void Pipeline::make_keyframe(TrackedFrame& frame) {
   tracker_.flush_counts(map_);
-  last_keyframe_ = insert_keyframe(map_, camera_, frame, settings_.tracking);
+  last_keyframe_ = insert_keyframe(map_, camera_, settings_.noise, frame, settings_.tracking);
   last_keyframe_frame_ = frame.index;
   refresh_local_map(frame.landmarks);
   tracker_.remember(frame, last_keyframe_, frame.cam_from_world);

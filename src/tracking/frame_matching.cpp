@@ -134,13 +134,30 @@ void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatu
   }
 }
 
-std::vector<PoseObservation> make_observations(const FrameFeatures& frame,
+void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& map,
+                   const Pyramid& pyramid, const std::vector<FrameMatch>& matches, TrackedFrame& frame) {
+  constexpr float kReach = 3;  // [px of the level]; FAST corners do not wander further
+  for (const FrameMatch& match : matches) {
+    if (match.landmark < 0) continue;
+    const LocalLandmark& landmark = map.landmarks[match.landmark];
+    const LocalAnchor& view = map.anchors[landmark.anchor];
+    const Anchor anchor{view.features.get(), landmark.anchor_keypoint, view.cam_from_world,
+                        landmark.anchor_pixel};
+    const Keypoint& keypoint = frame.features->keypoint(match.keypoint);
+    const auto measurement = align_in_image(camera, noise, anchor, match.position, frame.cam_from_world,
+                                            *frame.features, pyramid, {keypoint.x, keypoint.y}, kReach);
+    if (measurement) frame.measurements[match.keypoint] = *measurement;
+  }
+}
+
+std::vector<PoseObservation> make_observations(const TrackedFrame& frame,
                                                const std::vector<FrameMatch>& matches) {
   std::vector<PoseObservation> observations;
   observations.reserve(matches.size());
   for (const FrameMatch& match : matches) {
-    observations.push_back({match.position, frame.pixel(match.keypoint).cast<double>(),
-                            frame.depth(match.keypoint), frame.scale_of(match.keypoint)});
+    const Measurement& measurement = frame.measurements[match.keypoint];
+    observations.push_back({match.position, measurement.pixel.cast<double>(),
+                            frame.features->depth(match.keypoint), measurement.scale});
   }
   return observations;
 }

@@ -37,8 +37,13 @@ void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatu
                      const Pose& cam_from_world, double radius, const TrackingSettings& settings,
                      std::vector<FrameMatch>& matches, std::vector<int>& visible);
 
+/// Aligns the frame's image to the anchors of the matched landmarks: sets the measurements of those keypoints
+/// where it succeeds.
+void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& map,
+                   const Pyramid& pyramid, const std::vector<FrameMatch>& matches, TrackedFrame& frame);
+
 /// The observations of these matches, for the pose optimisation.
-std::vector<PoseObservation> make_observations(const FrameFeatures& frame,
+std::vector<PoseObservation> make_observations(const TrackedFrame& frame,
                                                const std::vector<FrameMatch>& matches);
 
 }  // namespace stdc

@@ -51,7 +51,7 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
   return few_tracked || moved || (long_ago && frame.inliers < 0.9 * reference);
 }
 
-KeyframeId insert_keyframe(Map& map, const Camera& camera, TrackedFrame& frame,
+KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
                            const TrackingSettings& settings) {
   const FrameFeatures& features = *frame.features;
   const KeyframeId keyframe =
@@ -65,6 +65,7 @@ KeyframeId insert_keyframe(Map& map, const Camera& camera, TrackedFrame& frame,
   std::stable_sort(free_with_depth.begin(), free_with_depth.end(),
                    [&](int a, int b) { return features.depth(a) < features.depth(b); });
   const Pose world_from_cam = frame.cam_from_world.inverse();
+  const auto aligned = static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
   for (std::size_t rank = 0; rank < free_with_depth.size(); ++rank) {
     const int i = free_with_depth[rank];
     const float z = features.depth(i);
@@ -73,9 +74,12 @@ KeyframeId insert_keyframe(Map& map, const Camera& camera, TrackedFrame& frame,
         map.add_landmark(world_from_cam * camera.unproject(features.pixel(i).cast<double>(), z), keyframe);
     map.observe(keyframe, i, landmark);
     map.refresh(landmark);
+    // This sight defines what the landmark is.
+    frame.measurements[i] = {features.pixel(i), features.scale_of(i) * aligned};
     frame.landmarks[i] = landmark;
     frame.outlier[i] = 0;
   }
+  for (int i = 0; i < features.size(); ++i) map.set_measurement(keyframe, i, frame.measurements[i]);
   return keyframe;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.hpp"
+#include "estimation/noise_settings.hpp"
 #include "map/map.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
@@ -19,7 +20,7 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 /// Puts a frame into the map as a keyframe: it observes its inlier landmarks, and new landmarks are made of
 /// the depths of its other keypoints: all close ones, and in any case the nearest `initial_landmarks`. The
 /// frame then sees these too.
-KeyframeId insert_keyframe(Map& map, const Camera& camera, TrackedFrame& frame,
+KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
                            const TrackingSettings& settings);
 
 }  // namespace stdc

@@ -40,16 +40,38 @@ std::vector<KeyframeId> choose_keyframes(const Map& map, std::span<const Landmar
   return chosen;
 }
 
-LocalLandmark copy_out(const Landmark& landmark) {
-  constexpr std::size_t kEstablished = 3;
-  return {landmark.id,
-          landmark.smallest_distance,
-          landmark.largest_distance,
-          landmark.direction,
-          landmark.position,
-          landmark.descriptor,
-          landmark.observations.size() >= kEstablished};
-}
+/// Copies landmarks out, and the keyframes that anchor them once each.
+class Copier {
+ public:
+  explicit Copier(const Map& map) : map_(map), anchor_index_(map.keyframe_id_limit(), -1) {}
+
+  LocalLandmark copy(const Landmark& landmark, std::vector<LocalAnchor>& anchors) {
+    constexpr std::size_t kEstablished = 3;
+    const Observation& oldest = landmark.observations.front();
+    const Keyframe& keyframe = map_.keyframe(oldest.keyframe);
+    int& anchor = anchor_index_[oldest.keyframe.value];
+    if (anchor < 0) {
+      anchor = static_cast<int>(anchors.size());
+      anchors.push_back({keyframe.features, keyframe.cam_from_world});
+    }
+    LocalLandmark local;
+    local.id = landmark.id;
+    local.smallest_distance = landmark.smallest_distance;
+    local.largest_distance = landmark.largest_distance;
+    local.direction = landmark.direction;
+    local.position = landmark.position;
+    local.descriptor = landmark.descriptor;
+    local.established = landmark.observations.size() >= kEstablished;
+    local.anchor = anchor;
+    local.anchor_keypoint = oldest.keypoint;
+    local.anchor_pixel = keyframe.measurements[oldest.keypoint].pixel;
+    return local;
+  }
+
+ private:
+  const Map& map_;
+  std::vector<int> anchor_index_;
+};
 
 }  // namespace
 
@@ -70,6 +92,7 @@ LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, Keyfra
                         int keyframes) {
   const std::vector<KeyframeId> chosen = choose_keyframes(map, seen, fallback, keyframes);
   LocalMap local;
+  Copier copier(map);
   // Mark, then gather in order of id: the landmarks come out sorted without sorting.
   std::vector<int> index(map.landmark_id_limit(), -1);
   std::uint32_t lowest = static_cast<std::uint32_t>(index.size()), highest = 0;
@@ -84,7 +107,7 @@ LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, Keyfra
   for (std::uint32_t value = lowest; value <= highest && value < index.size(); ++value) {
     if (index[value] < 0) continue;
     index[value] = static_cast<int>(local.landmarks.size());
-    local.landmarks.push_back(copy_out(map.landmark({value})));
+    local.landmarks.push_back(copier.copy(map.landmark({value}), local.anchors));
   }
   const Keyframe& reference = map.keyframe(chosen.front());
   local.reference = reference.id;

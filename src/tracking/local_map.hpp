@@ -8,6 +8,7 @@
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/frame_features.hpp"
+#include "map/landmark_alignment.hpp"
 #include "map/map.hpp"
 
 namespace stdc {
@@ -20,6 +21,15 @@ struct LocalLandmark {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< world [m]
   Descriptor descriptor;
   bool established = false;  ///< seen by three keyframes or more
+  int anchor = 0;            ///< index into LocalMap::anchors
+  int anchor_keypoint = 0;
+  Eigen::Vector2f anchor_pixel = Eigen::Vector2f::Zero();
+};
+
+/// A keyframe that saw some of the landmarks first.
+struct LocalAnchor {
+  std::shared_ptr<const FrameFeatures> features;
+  Pose cam_from_world;
 };
 
 /// The part of the map around the camera, copied out, so that the tracker can go on while the mapper changes
@@ -27,7 +37,8 @@ struct LocalLandmark {
 /// al., 'ORB-SLAM', T-RO 2015, sec. V-D).
 struct LocalMap {
   std::vector<LocalLandmark> landmarks;  ///< by id
-  KeyframeId reference;                  ///< the keyframe that shares most landmarks with the frame
+  std::vector<LocalAnchor> anchors;
+  KeyframeId reference;  ///< the keyframe that shares most landmarks with the frame
   Pose reference_from_world;
   std::shared_ptr<const FrameFeatures> reference_features;
   std::vector<int> reference_landmarks;  ///< per keypoint of the reference: index into landmarks, or -1

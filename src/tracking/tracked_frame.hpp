@@ -6,6 +6,7 @@
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/frame_features.hpp"
+#include "map/keyframe.hpp"
 
 namespace stdc {
 
@@ -15,7 +16,8 @@ struct TrackedFrame {
   double timestamp = 0;  ///< [s]
   std::shared_ptr<const FrameFeatures> features;
   Pose cam_from_world;
-  std::vector<LandmarkId> landmarks;  ///< per keypoint; invalid: none
+  std::vector<Measurement> measurements;  ///< per keypoint
+  std::vector<LandmarkId> landmarks;      ///< per keypoint; invalid: none
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
   int matches = 0;                    ///< before the last optimisation
   int inliers = 0;                    ///< landmarks left after it
@@ -23,6 +25,7 @@ struct TrackedFrame {
   TrackedFrame() = default;
   TrackedFrame(int frame_index, double time, std::shared_ptr<const FrameFeatures> frame_features)
       : index(frame_index), timestamp(time), features(std::move(frame_features)) {
+    measurements = keypoint_measurements(*features);
     landmarks.resize(features->size());
     outlier.resize(features->size(), 0);
   }

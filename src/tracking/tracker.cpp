@@ -10,7 +10,7 @@ Tracker::Tracker(const Camera& camera, const TrackingSettings& settings, const N
                  const PoseOptimisationSettings& optimisation)
     : camera_(camera), settings_(settings), noise_(noise), optimisation_(optimisation) {}
 
-bool Tracker::track(TrackedFrame& frame, const LocalMap& map) {
+bool Tracker::track(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid) {
   times_ = {};
   Stopwatch watch;
   std::vector<FrameMatch> matches = track_motion(frame, map);
@@ -19,7 +19,7 @@ bool Tracker::track(TrackedFrame& frame, const LocalMap& map) {
   times_.prediction = watch.lap_ms();
   if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion) return false;
   const bool tracked =
-      refine(frame, map, std::move(matches), settings_.local_map_radius, settings_.minimum_inliers);
+      refine(frame, map, pyramid, std::move(matches), settings_.local_map_radius, settings_.minimum_inliers);
   times_.local_map = watch.lap_ms();
   return tracked;
 }
@@ -48,7 +48,7 @@ std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const Loca
 
 /// Optimises the frame's pose; gives the matches that agree with it, none if there is no sound pose.
 std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const {
-  const std::vector<PoseObservation> observations = make_observations(*frame.features, matches);
+  const std::vector<PoseObservation> observations = make_observations(frame, matches);
   const PoseOptimisationResult result =
       optimise_pose(camera_, observations, frame.cam_from_world, noise_, optimisation_);
   if (!result.usable) return {};
@@ -61,8 +61,8 @@ std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<Frame
   return matches;
 }
 
-bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, std::vector<FrameMatch> matches, double radius,
-                     int least_inliers) {
+bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid,
+                     std::vector<FrameMatch> matches, double radius, int least_inliers) {
   std::vector<int> visible;
   match_local_map(camera_, map, *frame.features, frame.cam_from_world, radius, settings_, matches, visible);
   const auto is_temporary = [](const FrameMatch& m) { return m.landmark < 0; };
@@ -71,7 +71,11 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, std::vector<Frame
     std::erase_if(matches, is_temporary);
   }
   frame.matches = static_cast<int>(matches.size());
-  const std::vector<FrameMatch> inliers = optimise(frame, matches);
+  std::vector<FrameMatch> inliers = optimise(frame, matches);
+  // Once the pose is about right the landmarks' own patches tell where they are more exactly than the
+  // corners.
+  align_matches(camera_, noise_, map, pyramid, inliers, frame);
+  inliers = optimise(frame, std::move(inliers));
   std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
   std::fill(frame.outlier.begin(), frame.outlier.end(), 0);
   for (const FrameMatch& match : matches) frame.outlier[match.keypoint] = 1;

@@ -27,10 +27,11 @@ class Tracker {
           const PoseOptimisationSettings& optimisation);
 
   /// Tracks a frame from the last one: fills its pose, landmarks, matches and inliers. False: it is lost.
-  bool track(TrackedFrame& frame, const LocalMap& map);
+  /// `pyramid`: of the frame's image.
+  bool track(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid);
   /// Matches the local map to a frame whose pose is about known and optimises. False: too few inliers.
-  bool refine(TrackedFrame& frame, const LocalMap& map, std::vector<FrameMatch> matches, double radius,
-              int least_inliers);
+  bool refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid,
+              std::vector<FrameMatch> matches, double radius, int least_inliers);
 
   /// From now on this is the last frame. `reference`: keyframe of the local map it was tracked in.
   void remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world);
