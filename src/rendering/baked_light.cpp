@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "rendering/float4.hpp"
 
 namespace stdc {
 namespace {
@@ -17,27 +18,24 @@ constexpr float kFinestNode = 0.010F;  // [m]
 constexpr float kCoarsestNode = 0.05F;
 constexpr int kCellsAcross = 40;  // a patch gets about so many nodes along a side between those limits
 
-constexpr int kFixedBits = 20;
-constexpr float kFixedScale = 65536.0F;  // 16 is the brightest
-constexpr std::uint64_t kFixedMask = (1ULL << kFixedBits) - 1;
+// A node is four 16-bit numbers: square roots of red, green, blue, and a mark that it is known.
+constexpr float kBrightest = 16.0F;
+constexpr float kCodeScale = 65535.0F;
 constexpr std::uint64_t kKnown = 1ULL << 63U;
 
 std::uint64_t encode(const Rgb& colour) {
   std::uint64_t code = kKnown;
   for (int i = 0; i < 3; ++i) {
-    const float fixed = std::clamp(colour[i] * kFixedScale + 0.5F, 0.0F, static_cast<float>(kFixedMask));
-    code |= static_cast<std::uint64_t>(fixed) << static_cast<unsigned>(i * kFixedBits);
+    const float root = std::sqrt(std::clamp(colour[i] / kBrightest, 0.0F, 1.0F));
+    code |= static_cast<std::uint64_t>(root * kCodeScale + 0.5F) << static_cast<unsigned>(16 * i);
   }
   return code;
 }
 
-Rgb decode(std::uint64_t code) {
-  Rgb colour;
-  for (int i = 0; i < 3; ++i) {
-    colour[i] =
-        static_cast<float>((code >> static_cast<unsigned>(i * kFixedBits)) & kFixedMask) / kFixedScale;
-  }
-  return colour;
+/// Light in units of kBrightest / kCodeScale^2.
+Float4 decode(std::uint64_t code) {
+  const Float4 root = floats_of_shorts(code);
+  return root * root;
 }
 
 int cell_count(float length) {
@@ -77,16 +75,21 @@ Rgb BakedLight::at(std::uint32_t patch, float s, float t) const {
   const int column = std::clamp(static_cast<int>(x), 0, grid.columns - 1);
   const int row = std::clamp(static_cast<int>(y), 0, grid.rows - 1);
   const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
-  const Rgb top = node(grid, patch, column, row) * (1 - fx) + node(grid, patch, column + 1, row) * fx;
-  const Rgb bottom =
-      node(grid, patch, column, row + 1) * (1 - fx) + node(grid, patch, column + 1, row + 1) * fx;
-  return top * (1 - fy) + bottom * fy;
+  const auto value = [&](int c, int r) { return decode(node(grid, patch, c, r)); };
+  const Float4 top = value(column, row) * (1 - fx) + value(column + 1, row) * fx;
+  const Float4 bottom = value(column, row + 1) * (1 - fx) + value(column + 1, row + 1) * fx;
+  const Float4 light = top * (1 - fy) + bottom * fy;
+  return Rgb(light[0], light[1], light[2]) * (kBrightest / (kCodeScale * kCodeScale));
 }
 
-Rgb BakedLight::node(const Grid& grid, std::uint32_t patch_index, int column, int row) const {
+std::uint64_t BakedLight::node(const Grid& grid, std::uint32_t patch, int column, int row) const {
   const std::uint32_t index = grid.first + row * (grid.columns + 1U) + column;
   const std::uint64_t known = nodes_[index].load(std::memory_order_relaxed);
-  if (known != 0) return decode(known);
+  return known != 0 ? known : work_out(grid, patch, column, row, index);
+}
+
+std::uint64_t BakedLight::work_out(const Grid& grid, std::uint32_t patch_index, int column, int row,
+                                   std::uint32_t index) const {
   const Patch& patch = world_.mesh.patches[patch_index];
   // Nodes on the border look from just inside, not from within the neighbour they touch.
   const auto place = [](int i, int cells, int quads) {
@@ -106,7 +109,7 @@ Rgb BakedLight::node(const Grid& grid, std::uint32_t patch_index, int column, in
   const Rgb light = gather(blend(world_.mesh.positions) + kOffset * normal, normal, index);
   const std::uint64_t code = encode(light);
   nodes_[index].store(code, std::memory_order_relaxed);
-  return decode(code);
+  return code;
 }
 
 Rgb BakedLight::gather(const Vector3f& position, const Vector3f& normal, std::uint64_t seed) const {

@@ -29,7 +29,9 @@ class BakedLight {
     std::uint32_t first = 0;
     std::uint16_t columns = 1, rows = 1;  ///< cells; nodes are one more
   };
-  Rgb node(const Grid& grid, std::uint32_t patch, int column, int row) const;
+  std::uint64_t node(const Grid& grid, std::uint32_t patch, int column, int row) const;
+  std::uint64_t work_out(const Grid& grid, std::uint32_t patch, int column, int row,
+                         std::uint32_t index) const;
   Rgb direct(const Eigen::Vector3f& position, const Eigen::Vector3f& normal, std::uint64_t seed) const;
   Rgb indirect(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) const;
 

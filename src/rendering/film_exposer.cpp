@@ -10,6 +10,8 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kPacket = RayScene::kPacket;
+constexpr int kEdgeSamples = 4, kEdgesAtOnce = kPacket / kEdgeSamples;
+constexpr float kClip = 1.2F;
 constexpr int kBlockWidth = 4, kBlockHeight = kPacket / kBlockWidth;
 
 /// The nearest hit of a ray among all there is.
@@ -44,10 +46,14 @@ class Exposure {
     for (int y = 0; y < rays_.height(); ++y) {
       for (int x = 0; x < rays_.width(); ++x) develop(x, y);
     }
+    std::vector<cv::Point> edges;
     for (int y = 0; y < rays_.height(); ++y) {
       for (int x = 0; x < rays_.width(); ++x) {
-        if (on_edge(x, y)) smooth(x, y);
+        if (on_edge(x, y)) edges.emplace_back(x, y);
       }
+    }
+    for (std::size_t i = 0; i < edges.size(); i += kEdgesAtOnce) {
+      smooth(&edges[i], static_cast<int>(std::min<std::size_t>(kEdgesAtOnce, edges.size() - i)));
     }
     return std::move(film_);
   }
@@ -119,25 +125,29 @@ class Exposure {
            (y > 0 && differ(here, at(x, y - 1))) || (y + 1 < rays_.height() && differ(here, at(x, y + 1)));
   }
 
-  void smooth(int x, int y) {
+  /// Replaces the colours of up to kEdgesAtOnce pixels by means over their areas.
+  void smooth(const cv::Point* pixels, int count) {
     // The rotated grid: no two samples share a row or a column.
-    static constexpr std::array<std::array<float, 2>, 4> kOffsets{
+    static constexpr std::array<std::array<float, 2>, kEdgeSamples> kOffsets{
         {{-0.125F, -0.375F}, {0.375F, -0.125F}, {0.125F, 0.375F}, {-0.375F, 0.125F}}};
-    std::array<Vector3f, 4> directions;
-    std::array<Seen, 4> seen;
-    for (int i = 0; i < 4; ++i) directions[i] = direction(rays_.at(x, y, kOffsets[i][0], kOffsets[i][1]));
-    trace(directions.data(), 4, seen.data());
-    auto& colour = film_.colour.at<cv::Vec3f>(y, x);
-    // What is brighter than white is clipped before the mean: a lamp's rim must not stay jagged.
-    const auto clipped = [](const cv::Vec3f& c) {
-      return cv::Vec3f(std::min(c[0], 1.5F), std::min(c[1], 1.5F), std::min(c[2], 1.5F));
-    };
-    cv::Vec3f sum = clipped(colour);
-    for (int i = 0; i < 4; ++i) {
-      const Rgb c = shade(seen[i], directions[i]).colour;
-      sum += clipped({c.x(), c.y(), c.z()});
+    std::array<Vector3f, kPacket> directions;
+    std::array<Seen, kPacket> seen;
+    for (int i = 0; i < count * kEdgeSamples; ++i) {
+      const cv::Point& p = pixels[i / kEdgeSamples];
+      const auto& offset = kOffsets[i % kEdgeSamples];
+      directions[i] = direction(rays_.at(p.x, p.y, offset[0], offset[1]));
     }
-    colour = sum * 0.2F;
+    trace(directions.data(), count * kEdgeSamples, seen.data());
+    for (int k = 0; k < count; ++k) {
+      auto& colour = film_.colour.at<cv::Vec3f>(pixels[k]);
+      // What is brighter than white is clipped before the mean: a lamp's rim must not stay jagged.
+      Rgb sum = Rgb(colour[0], colour[1], colour[2]).cwiseMin(kClip);
+      for (int i = k * kEdgeSamples; i < (k + 1) * kEdgeSamples; ++i) {
+        sum += shade(seen[i], directions[i]).colour.cwiseMin(kClip);
+      }
+      sum /= 1 + kEdgeSamples;
+      colour = {sum.x(), sum.y(), sum.z()};
+    }
   }
 
   const RayGrid& rays_;

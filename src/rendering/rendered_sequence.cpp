@@ -125,8 +125,10 @@ RenderedSequence& RenderedSequence::operator=(RenderedSequence&&) noexcept = def
 
 const Camera& RenderedSequence::camera() const { return studio_->camera; }
 
-int RenderedSequence::frame_count() const {
-  return static_cast<int>(std::lround(seconds_of(studio_->preset) * studio_->camera.frames_per_second));
+int RenderedSequence::frame_count() const { return frame_count(studio_->preset, studio_->camera); }
+
+int RenderedSequence::frame_count(Preset preset, const Camera& camera) {
+  return static_cast<int>(std::lround(seconds_of(preset) * camera.frames_per_second));
 }
 
 double RenderedSequence::timestamp(int index) const { return kFirstTimestamp + studio_->time(index); }

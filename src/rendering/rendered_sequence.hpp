@@ -72,6 +72,7 @@ class RenderedSequence {
   const Camera& camera() const;
   /// How many frames the preset has unless somebody asks for fewer or more; any index >= 0 can be rendered.
   int frame_count() const;
+  static int frame_count(Preset preset, const Camera& camera);
   double timestamp(int index) const;
   Pose world_from_cam(int index) const;
   RenderedFrame render(int index) const;

@@ -60,11 +60,11 @@ void add_building(RoomMaterials& m, Adder& add, Random& random) {
 }
 
 void add_furniture(RoomMaterials& m, Adder& add, Random& random) {
-  m.desk_wood = add.glossy(wood_texture({206, 178, 138}, 1, random.next()), 0.8F, 0.06F, 30, 0.85F);
+  m.desk_wood = add.tiles(wood_texture({206, 178, 138}, 1, random.next()), 0.8F);
   m.shelf_wood = add.tiles(wood_texture({132, 94, 62}, 1, random.next()), 0.7F);
   m.black_plastic = add.glossy(plain_texture({30, 30, 33}, random.next()), 0.3F, 0.10F, 30, 0.55F);
-  m.grey_plastic = add.glossy(plain_texture({120, 122, 126}, random.next()), 0.3F, 0.06F, 25, 0.8F);
-  m.white_plastic = add.glossy(plain_texture({222, 220, 214}, random.next()), 0.3F, 0.06F, 25, 0.85F);
+  m.grey_plastic = add.tiles(plain_texture({120, 122, 126}, random.next()), 0.3F);
+  m.white_plastic = add.tiles(plain_texture({222, 220, 214}, random.next()), 0.3F);
   m.screen_frame = add.glossy(plain_texture({22, 22, 24}, random.next()), 0.3F, 0.25F, 80, 0.3F);
   m.metal = add.glossy(plain_texture({150, 152, 156}, random.next()), 0.3F, 0.3F, 40, 0.5F);
   m.paper_edge = add.tiles(fabric_texture({226, 220, 204}, random.next()), 0.05F);
@@ -95,12 +95,12 @@ void add_objects(RoomMaterials& m, Adder& add, Random& random) {
 }
 
 void add_pictures(RoomMaterials& m, Adder& add, Random& random) {
-  m.spines = add.pictures(book_spines(random.next()), 0.04F, 0.8F);
+  m.spines = add.pictures(book_spines(random.next()), 0, 0.8F);
   m.covers = add.pictures(book_covers(random.next()), 0.08F, 0.8F);
   m.pages = add.pictures(paper_pages(random.next()), 0, 0.9F);
   m.packages = add.pictures(packages(random.next()), 0.08F, 0.8F);
   m.screens = add.pictures(screens(random.next()), 0.15F, 0.45F);
-  m.posters = add.pictures(posters(random.next()), 0.03F, 0.9F);
+  m.posters = add.pictures(posters(random.next()), 0, 0.9F);
   m.notes = add.pictures(small_prints(random.next()), 0, 0.9F);
 }
 

@@ -42,7 +42,8 @@ Rgb highlights(const std::vector<AreaLight>& lights, const Material& material, c
     const Vector3f centre = light.corner + 0.5F * (light.s_edge + light.t_edge);
     const Vector3f to_light = (centre - position).normalized();
     const float facing = normal.dot((to_light - way).normalized());
-    if (facing > 0 && to_light.dot(normal) > 0) sum += light.radiance * std::pow(facing, material.shininess);
+    if ((1 - facing) * material.shininess > 7 || to_light.dot(normal) <= 0) continue;  // less than 1/1000
+    sum += light.radiance * std::pow(facing, material.shininess);
   }
   return sum * (0.3F * material.gloss);
 }
@@ -57,8 +58,11 @@ SurfaceShader::SurfaceShader(const World& world, const BakedLight& light) : worl
 }
 
 Vector3f SurfaceShader::normal(const Hit& hit, const Vector3f& direction) const {
-  const auto& quad = world_.mesh.quads[hit.quad];
-  const Vector3f n = blend(world_.mesh.normals, quad, hit.u, hit.v).normalized();
+  const Mesh& mesh = world_.mesh;
+  const auto& quad = mesh.quads[hit.quad];
+  const Patch& patch = mesh.patches[mesh.patch_of_quad[hit.quad]];
+  const bool flat = patch.columns * patch.rows == 1;
+  const Vector3f n = flat ? mesh.normals[quad[0]] : blend(mesh.normals, quad, hit.u, hit.v).normalized();
   return n.dot(direction) > 0 ? Vector3f(-n) : n;
 }
 

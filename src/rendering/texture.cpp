@@ -4,22 +4,41 @@
 #include <bit>
 #include <cassert>
 
+#include "rendering/float4.hpp"
+
 namespace stdc {
 namespace {
 
-std::uint32_t pack(int red, int green, int blue) {
-  return static_cast<std::uint32_t>(red) | static_cast<std::uint32_t>(green) << 8U |
-         static_cast<std::uint32_t>(blue) << 16U;
+constexpr float kFullCode = 255.0F;
+
+std::uint32_t encode(const Rgb& linear) {
+  std::uint32_t texel = 0;
+  for (int c = 2; c >= 0; --c) {
+    texel = texel << 8U | static_cast<std::uint32_t>(kFullCode * std::sqrt(std::min(linear[c], 1.0F)) + 0.5F);
+  }
+  return texel;
 }
 
-Rgb unpack(std::uint32_t texel) {
-  const auto& table = linear_of_byte();
-  return {table[texel & 255U], table[(texel >> 8U) & 255U], table[(texel >> 16U) & 255U]};
+/// Linear light times 255^2.
+Float4 decode(std::uint32_t texel) {
+  const Float4 code = floats_of_bytes(texel);
+  return code * code;
 }
 
-std::uint32_t encode(const Rgb& colour) {
-  const Rgb code = colour.unaryExpr([](float x) { return 255.0F * srgb_from_linear(x) + 0.5F; });
-  return pack(static_cast<int>(code.x()), static_cast<int>(code.y()), static_cast<int>(code.z()));
+Rgb to_rgb(const Float4& v) { return Rgb(v[0], v[1], v[2]) * (1 / (kFullCode * kFullCode)); }
+
+template <typename Level>
+Float4 bilinear(const Level& level, float u, float v) {
+  const float x = u * static_cast<float>(level.width) - 0.5F, y = v * static_cast<float>(level.height) - 0.5F;
+  const int column = static_cast<int>(x) - (x < 0 ? 1 : 0), row = static_cast<int>(y) - (y < 0 ? 1 : 0);
+  const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
+  const int x0 = column & (level.width - 1), x1 = (column + 1) & (level.width - 1);
+  const std::uint32_t* top =
+      level.texels.data() + static_cast<std::size_t>(row & (level.height - 1)) * level.width;
+  const std::uint32_t* bottom =
+      level.texels.data() + static_cast<std::size_t>((row + 1) & (level.height - 1)) * level.width;
+  return (decode(top[x0]) * (1 - fx) + decode(top[x1]) * fx) * (1 - fy) +
+         (decode(bottom[x0]) * (1 - fx) + decode(bottom[x1]) * fx) * fy;
 }
 
 /// Cheap log2 for x > 0: exact at powers of two, off by less than 0.09 between; the same on every machine.
@@ -37,7 +56,7 @@ Texture::Texture(const cv::Mat& bgr) {
   level.texels.reserve(bgr.total());
   for (int y = 0; y < bgr.rows; ++y) {
     const auto* row = bgr.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < bgr.cols; ++x) level.texels.push_back(pack(row[x][2], row[x][1], row[x][0]));
+    for (int x = 0; x < bgr.cols; ++x) level.texels.push_back(encode(rgb8(row[x][2], row[x][1], row[x][0])));
   }
   levels_.push_back(std::move(level));
   while (levels_.back().width > 1 || levels_.back().height > 1) {
@@ -48,37 +67,25 @@ Texture::Texture(const cv::Mat& bgr) {
     for (int y = 0; y < coarse.height; ++y) {
       for (int x = 0; x < coarse.width; ++x) {
         const std::size_t at = static_cast<std::size_t>(2 * y) * step_y + 2 * x * step_x;
-        const Rgb sum = unpack(fine.texels[at]) + unpack(fine.texels[at + step_x]) +
-                        unpack(fine.texels[at + step_y]) + unpack(fine.texels[at + step_x + step_y]);
-        coarse.texels.push_back(encode(sum * 0.25F));
+        const Float4 sum = decode(fine.texels[at]) + decode(fine.texels[at + step_x]) +
+                           decode(fine.texels[at + step_y]) + decode(fine.texels[at + step_x + step_y]);
+        coarse.texels.push_back(encode(to_rgb(sum) * 0.25F));
       }
     }
     levels_.push_back(std::move(coarse));
   }
 }
 
-Rgb Texture::bilinear(const Level& level, float u, float v) {
-  const float x = u * static_cast<float>(level.width) - 0.5F, y = v * static_cast<float>(level.height) - 0.5F;
-  const float floor_x = std::floor(x), floor_y = std::floor(y);
-  const float fx = x - floor_x, fy = y - floor_y;
-  const int x0 = static_cast<int>(floor_x) & (level.width - 1), x1 = (x0 + 1) & (level.width - 1);
-  const int y0 = static_cast<int>(floor_y) & (level.height - 1), y1 = (y0 + 1) & (level.height - 1);
-  const std::uint32_t* top = level.texels.data() + static_cast<std::size_t>(y0) * level.width;
-  const std::uint32_t* bottom = level.texels.data() + static_cast<std::size_t>(y1) * level.width;
-  return (unpack(top[x0]) * (1 - fx) + unpack(top[x1]) * fx) * (1 - fy) +
-         (unpack(bottom[x0]) * (1 - fx) + unpack(bottom[x1]) * fx) * fy;
-}
-
 Rgb Texture::sample(float u, float v, float texels) const {
-  if (!(texels > 1.0F)) return bilinear(levels_[0], u, v);
+  if (!(texels > 1.0F)) return to_rgb(bilinear(levels_[0], u, v));
   const float lod = approximate_log2(texels);
   const auto last = static_cast<int>(levels_.size()) - 1;
   const int level = static_cast<int>(lod);
-  if (level >= last) return bilinear(levels_[last], u, v);
+  if (level >= last) return to_rgb(bilinear(levels_[last], u, v));
   const float blend = lod - static_cast<float>(level);
-  return bilinear(levels_[level], u, v) * (1 - blend) + bilinear(levels_[level + 1], u, v) * blend;
+  return to_rgb(bilinear(levels_[level], u, v) * (1 - blend) + bilinear(levels_[level + 1], u, v) * blend);
 }
 
-Rgb Texture::mean() const { return unpack(levels_.back().texels[0]); }
+Rgb Texture::mean() const { return to_rgb(decode(levels_.back().texels[0])); }
 
 }  // namespace stdc

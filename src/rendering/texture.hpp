@@ -8,7 +8,8 @@
 
 namespace stdc {
 
-/// A bitmap that repeats in both directions, with its mip-map pyramid (Williams 1983).
+/// A bitmap that repeats in both directions, with its mip-map pyramid (Williams 1983). Texels are kept as
+/// square roots of linear light, 8 bits each: as fine in the dark as sRGB, and cheap to turn back.
 class Texture {
  public:
   /// @param bgr  CV_8UC3, sRGB coded; both sides a power of two
@@ -28,7 +29,6 @@ class Texture {
     int width = 0, height = 0;
     std::vector<std::uint32_t> texels;  ///< red in the lowest byte
   };
-  static Rgb bilinear(const Level& level, float u, float v);
 
   std::vector<Level> levels_;
 };
