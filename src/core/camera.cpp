@@ -65,6 +65,9 @@ void Camera::validate(const std::string& where) const {
           "give the principal point in pixels");
   require(depth_units_per_metre > 0, where, "depth_units_per_metre must be positive",
           "TUM sequences have 5000, millimetres are 1000");
+  require(std::isfinite(readout_time) && readout_time >= 0 && readout_time < 0.2, where,
+          "readout_time is outside 0..0.2 s",
+          "give the seconds from the first to the last row, or leave it out");
   require(frames_per_second > 0, where, "frames_per_second must be positive", "most RGB-D cameras have 30");
 }
 

@@ -15,6 +15,7 @@ struct Camera {
   double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;      ///< lens distortion, no unit
   double depth_units_per_metre = 5000;                ///< of 16-bit depth images; TUM: 5000
   double frames_per_second = 30;                      ///< nominal rate, for intervals given in seconds
+  double readout_time = 0;  ///< [s] from the first to the last row of a rolling shutter; 0: all rows at once
 
   bool has_distortion() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kKeys =
     "give width, height, fx, fy, cx, cy and, if needed, k1, k2, p1, p2, k3, depth_units_per_metre, "
-    "frames_per_second";
+    "frames_per_second, readout_time";
 
 /// One key of the file: where its number goes, and whether it must be there.
 struct Key {
@@ -40,6 +40,7 @@ constexpr std::array kAllKeys{
     Key{"k3", &Camera::k3, nullptr, false},
     Key{"depth_units_per_metre", &Camera::depth_units_per_metre, nullptr, false},
     Key{"frames_per_second", &Camera::frames_per_second, nullptr, false},
+    Key{"readout_time", &Camera::readout_time, nullptr, false},
 };
 
 std::string place(const std::string& name, const YAML::Mark& mark) {

@@ -10,7 +10,7 @@
 namespace stdc {
 
 /// Reads camera.yaml: keys width, height, fx, fy, cx, cy, optional k1, k2, p1, p2, k3 (0),
-/// depth_units_per_metre (5000), frames_per_second (30). Throws Error (file, line) for a missing or
+/// depth_units_per_metre (5000), frames_per_second (30), readout_time (0). Throws Error (file, line) for a missing or
 /// unreadable file, a missing or unknown key, or a value that does not validate.
 Camera read_camera(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.

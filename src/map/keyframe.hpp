@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/camera.hpp"
+#include "core/camera_motion.hpp"
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/frame_features.hpp"
@@ -15,21 +17,30 @@ struct Covisible {
   int shared = 0;
 };
 
-/// Where exactly a keypoint sees its landmark.
+/// Where exactly a keypoint sees what it sees.
 struct Measurement {
-  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< ideal pixel
+  Eigen::Vector2f seen = Eigen::Vector2f::Zero();   ///< ideal pixel, as the image has it
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< ideal pixel, as seen from the pose of the middle row
+  float depth = 0;                                  ///< z from there [m]; 0: missing
   float scale = 1;                                  ///< its noise is NoiseSettings::pixel_sigma times this
 };
 
-/// The keypoints' own positions, as extracted.
-std::vector<Measurement> keypoint_measurements(const FrameFeatures& features);
+/// Takes the rolling shutter out of a sight.
+/// @param z  of the point [m], for the part of the shift that depends on it
+Measurement measure(const Camera& camera, const CameraMotion& motion, const Eigen::Vector2f& seen, float z,
+                    float depth, float scale);
+
+/// The same for all keypoints at their own positions; those without depth are taken to be as far as most.
+std::vector<Measurement> measure_keypoints(const Camera& camera, const CameraMotion& motion,
+                                           const FrameFeatures& features);
 
 /// A frame that is kept in the map.
 struct Keyframe {
   KeyframeId id;
-  int frame = 0;         ///< index of the input frame
-  double timestamp = 0;  ///< [s]
-  Pose cam_from_world;
+  int frame = 0;                                  ///< index of the input frame
+  double timestamp = 0;                           ///< [s]
+  Pose cam_from_world;                            ///< when the middle row was read
+  CameraMotion motion;                            ///< about that pose
   std::shared_ptr<const FrameFeatures> features;  ///< immutable, hence shared with the frame it was made of
   std::vector<LandmarkId> landmarks;              ///< per keypoint; invalid: none
   std::vector<Measurement> measurements;          ///< per keypoint

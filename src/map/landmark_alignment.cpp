@@ -36,8 +36,8 @@ struct Target {
   Eigen::Vector2f origin = Eigen::Vector2f::Zero();  ///< of the image on its level [px]
 };
 
-std::optional<Measurement> align(const Camera& camera, const NoiseSettings& noise, const Anchor& anchor,
-                                 const Eigen::Matrix2f& warp, const Target& target, float reach) {
+std::optional<Sight> align(const Camera& camera, const NoiseSettings& noise, const Anchor& anchor,
+                           const Eigen::Matrix2f& warp, const Target& target, float reach) {
   const float anchor_scale = anchor.features->scale_of(anchor.keypoint);
   PatchTemplate pattern;
   if (!pattern.make(*anchor.features->patch(anchor.keypoint), warp * (anchor_scale / target.scale)))
@@ -47,10 +47,10 @@ std::optional<Measurement> align(const Camera& camera, const NoiseSettings& nois
   found += target.origin;
   const Eigen::Vector2d raw(level_to_image(found.x(), target.scale), level_to_image(found.y(), target.scale));
   // The anchor may see the landmark a little beside the middle of its patch.
-  const Eigen::Vector2f beside = warp * (anchor.pixel - anchor.features->pixel(anchor.keypoint));
+  const Eigen::Vector2f beside = warp * (anchor.seen - anchor.features->pixel(anchor.keypoint));
   const float coarser = std::max(target.scale, anchor_scale * std::sqrt(std::abs(warp.determinant())));
-  return Measurement{camera.undistort(raw).cast<float>() + beside,
-                     coarser * static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma)};
+  return Sight{camera.undistort(raw).cast<float>() + beside,
+               coarser * static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma)};
 }
 
 }  // namespace
@@ -59,13 +59,13 @@ Anchor anchor_of(const Map& map, const Landmark& landmark) {
   const Observation& oldest = landmark.observations.front();
   const Keyframe& keyframe = map.keyframe(oldest.keyframe);
   return {keyframe.features.get(), oldest.keypoint, keyframe.cam_from_world,
-          keyframe.measurements[oldest.keypoint].pixel};
+          keyframe.measurements[oldest.keypoint].seen};
 }
 
-std::optional<Measurement> align_in_image(const Camera& camera, const NoiseSettings& noise,
-                                          const Anchor& anchor, const Eigen::Vector3d& position,
-                                          const Pose& cam_from_world, const FrameFeatures& features,
-                                          const Pyramid& pyramid, const Eigen::Vector2f& start, float reach) {
+std::optional<Sight> align_in_image(const Camera& camera, const NoiseSettings& noise, const Anchor& anchor,
+                                    const Eigen::Vector3d& position, const Pose& cam_from_world,
+                                    const FrameFeatures& features, const Pyramid& pyramid,
+                                    const Eigen::Vector2f& start, float reach) {
   if (anchor.features->patch(anchor.keypoint) == nullptr) return {};
   const auto warp = warp_from_anchor(camera, anchor, position, cam_from_world);
   if (!warp) return {};
@@ -85,7 +85,7 @@ void align_observation(Map& map, const Camera& camera, const NoiseSettings& nois
   const int keypoint = map.keypoint_of(landmark_id, keyframe_id);
   const Keyframe& keyframe = map.keyframe(keyframe_id);
   const FrameFeatures& features = *keyframe.features;
-  Measurement measurement{features.pixel(keypoint), features.scale_of(keypoint)};
+  Sight sight{features.pixel(keypoint), features.scale_of(keypoint)};
   const Anchor anchor = anchor_of(map, landmark);
   const auto warp = warp_from_anchor(camera, anchor, landmark.position, keyframe.cam_from_world);
   const Patch* patch = features.patch(keypoint);
@@ -96,9 +96,11 @@ void align_observation(Map& map, const Camera& camera, const NoiseSettings& nois
     target.origin = Eigen::Vector2f(std::round(image_to_level(raw.x, target.scale)),
                                     std::round(image_to_level(raw.y, target.scale))) -
                     middle;
-    measurement = align(camera, noise, anchor, *warp, target, kReach).value_or(measurement);
+    sight = align(camera, noise, anchor, *warp, target, kReach).value_or(sight);
   }
-  map.set_measurement(keyframe_id, keypoint, measurement);
+  const auto z = static_cast<float>((keyframe.cam_from_world * landmark.position).z());
+  map.set_measurement(keyframe_id, keypoint,
+                      measure(camera, keyframe.motion, sight.seen, z, features.depth(keypoint), sight.scale));
 }
 
 }  // namespace stdc

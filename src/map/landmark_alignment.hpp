@@ -18,11 +18,17 @@ struct Anchor {
   const FrameFeatures* features = nullptr;
   int keypoint = 0;
   Pose cam_from_world;
-  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();  ///< ideal pixel at which it sees the landmark
+  Eigen::Vector2f seen = Eigen::Vector2f::Zero();  ///< ideal pixel at which it sees the landmark
 };
 
 /// The anchor of a landmark: its oldest observation.
 Anchor anchor_of(const Map& map, const Landmark& landmark);
+
+/// Where an image shows a landmark.
+struct Sight {
+  Eigen::Vector2f seen = Eigen::Vector2f::Zero();  ///< ideal pixel
+  float scale = 1;                                 ///< as in Measurement
+};
 
 /// Where a view sees a landmark, by aligning the anchor's patch to the view's image, warped as the two poses
 /// and the landmark's distance demand (affine, the patch taken to be parallel to the anchor's image).
@@ -30,10 +36,10 @@ Anchor anchor_of(const Map& map, const Landmark& landmark);
 /// @param start     raw pixel where it is looked for
 /// @param reach     most that it may lie from there [px of the level]
 /// Nothing if the patch cannot be aligned there.
-std::optional<Measurement> align_in_image(const Camera& camera, const NoiseSettings& noise,
-                                          const Anchor& anchor, const Eigen::Vector3d& position,
-                                          const Pose& cam_from_world, const FrameFeatures& features,
-                                          const Pyramid& pyramid, const Eigen::Vector2f& start, float reach);
+std::optional<Sight> align_in_image(const Camera& camera, const NoiseSettings& noise, const Anchor& anchor,
+                                    const Eigen::Vector3d& position, const Pose& cam_from_world,
+                                    const FrameFeatures& features, const Pyramid& pyramid,
+                                    const Eigen::Vector2f& start, float reach);
 
 /// Aligns the observation of a landmark by a keyframe, whose image is gone, within the keypoint's patch. If
 /// that fails the keypoint's own position is the measurement; the anchor's own observation stays as it is.

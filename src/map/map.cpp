@@ -40,22 +40,16 @@ bool more_shared(const Covisible& a, const Covisible& b) {
 
 }  // namespace
 
-std::vector<Measurement> keypoint_measurements(const FrameFeatures& features) {
-  std::vector<Measurement> measurements(features.size());
-  for (int i = 0; i < features.size(); ++i) measurements[i] = {features.pixel(i), features.scale_of(i)};
-  return measurements;
-}
-
-KeyframeId Map::add_keyframe(int frame, double timestamp, const Pose& cam_from_world,
-                             std::shared_ptr<const FrameFeatures> features) {
+KeyframeId Map::add_keyframe(const NewKeyframe& made_of) {
   auto keyframe = std::make_unique<Keyframe>();
   keyframe->id = {static_cast<std::uint32_t>(keyframes_.size())};
-  keyframe->frame = frame;
-  keyframe->timestamp = timestamp;
-  keyframe->cam_from_world = cam_from_world;
-  keyframe->landmarks.resize(features->size());
-  keyframe->measurements = keypoint_measurements(*features);
-  keyframe->features = std::move(features);
+  keyframe->frame = made_of.frame;
+  keyframe->timestamp = made_of.timestamp;
+  keyframe->cam_from_world = made_of.cam_from_world;
+  keyframe->motion = made_of.motion;
+  keyframe->features = made_of.features;
+  keyframe->measurements = made_of.measurements;
+  keyframe->landmarks.resize(made_of.features->size());
   keyframes_.push_back(std::move(keyframe));
   removed_.emplace_back();
   ++keyframe_count_;

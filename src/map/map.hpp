@@ -10,6 +10,16 @@
 
 namespace stdc {
 
+/// What a keyframe is made of.
+struct NewKeyframe {
+  int frame = 0;
+  double timestamp = 0;  ///< [s]
+  Pose cam_from_world;
+  CameraMotion motion;
+  std::shared_ptr<const FrameFeatures> features;
+  std::vector<Measurement> measurements;  ///< per keypoint
+};
+
 /// Landmarks, keyframes and who sees whom. The map owns both; everyone else holds ids. Not synchronised: one
 /// worker at a time has the map.
 ///
@@ -17,8 +27,7 @@ namespace stdc {
 /// is found to be gone (`has`), and its memory is freed.
 class Map {
  public:
-  KeyframeId add_keyframe(int frame, double timestamp, const Pose& cam_from_world,
-                          std::shared_ptr<const FrameFeatures> features);
+  KeyframeId add_keyframe(const NewKeyframe& made_of);
   void set_measurement(KeyframeId id, int keypoint, const Measurement& measurement) {
     keyframes_[id.value]->measurements[keypoint] = measurement;
   }

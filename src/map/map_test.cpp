@@ -18,6 +18,11 @@ std::shared_ptr<const FrameFeatures> features(int count, std::uint64_t seed = 1)
   return std::make_shared<FrameFeatures>(Camera(), std::move(raw), cv::Mat(), 1.2, 6, nullptr);
 }
 
+KeyframeId add_keyframe(Map& map, int frame, const Pose& pose,
+                        const std::shared_ptr<const FrameFeatures>& seen) {
+  return map.add_keyframe({frame, 0.1 * frame, pose, {}, seen, measure_keypoints(Camera(), {}, *seen)});
+}
+
 /// Three keyframes, one metre apart along x, that all see `landmarks` landmarks with keypoints 0, 1, ...
 struct ThreeKeyframes {
   Map map;
@@ -28,7 +33,7 @@ struct ThreeKeyframes {
     for (int k = 0; k < 3; ++k) {
       Pose cam_from_world;
       cam_from_world.translation.x() = -k;
-      keyframes.push_back(map.add_keyframe(10 * k, 0.1 * k, cam_from_world, features(count + 5, k)));
+      keyframes.push_back(add_keyframe(map, 10 * k, cam_from_world, features(count + 5, k)));
     }
     for (int i = 0; i < count; ++i) {
       landmarks.push_back(map.add_landmark({0.1 * i, 0, 4}, keyframes[0]));
@@ -121,7 +126,7 @@ TEST(Map, SurvivesARandomLife) {
   Random random(5);
   std::vector<KeyframeId> keyframes;
   for (int step = 0; step < 60; ++step) {
-    keyframes.push_back(map.add_keyframe(step, step, Pose(), features(60)));
+    keyframes.push_back(add_keyframe(map, step, Pose(), features(60)));
     for (int i = 0; i < 40; ++i) {
       const auto ids = map.landmark_ids();
       const LandmarkId landmark = ids.empty() || random.below(3) == 0

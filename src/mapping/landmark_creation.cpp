@@ -21,13 +21,17 @@ constexpr double kChiSquare1 = 3.841, kChiSquare2 = 5.991;  // 95 %
 struct View {
   KeyframeId id;
   const FrameFeatures* features = nullptr;
+  const std::vector<Measurement>* measurements = nullptr;
   Pose cam_from_world;
   std::vector<int> free;  ///< keypoints without a landmark
+
+  const Eigen::Vector2f& pixel(int keypoint) const { return (*measurements)[keypoint].pixel; }
+  float depth(int keypoint) const { return (*measurements)[keypoint].depth; }
 };
 
 View make_view(const Map& map, KeyframeId id) {
   const Keyframe& keyframe = map.keyframe(id);
-  View view{id, keyframe.features.get(), keyframe.cam_from_world, {}};
+  View view{id, keyframe.features.get(), &keyframe.measurements, keyframe.cam_from_world, {}};
   for (int i = 0; i < keyframe.features->size(); ++i) {
     if (!keyframe.landmarks[i].valid()) view.free.push_back(i);
   }
@@ -53,13 +57,13 @@ std::vector<KeypointPair> match_along_epipolars(const Camera& camera, const View
   std::vector<float> turns;
   std::vector<std::uint8_t> taken(b.features->size(), 0);
   for (const int i : a.free) {
-    const Eigen::Vector3f line = f * a.features->pixel(i).homogeneous();
+    const Eigen::Vector3f line = f * a.pixel(i).homogeneous();
     const float norm2 = line.head<2>().squaredNorm();
     int best = -1, least = largest_distance + 1;
     for (const int j : b.free) {
       if (taken[j] != 0 || std::abs(a.features->keypoint(i).level - b.features->keypoint(j).level) > 2)
         continue;
-      const float distance = line.dot(b.features->pixel(j).homogeneous());
+      const float distance = line.dot(b.pixel(j).homogeneous());
       const float scale = b.features->scale_of(j);
       if (distance * distance > gate * scale * scale * norm2) continue;
       const int bits = hamming_distance(a.features->descriptor(i), b.features->descriptor(j));
@@ -87,24 +91,24 @@ bool agrees(const Camera& camera, const View& view, int keypoint, const Eigen::V
   const Eigen::Vector3d point = view.cam_from_world * position;
   if (!(point.z() > 0)) return false;
   const double sigma = noise.pixel_sigma * view.features->scale_of(keypoint);
-  const Eigen::Vector2d residual = camera.project(point) - view.features->pixel(keypoint).cast<double>();
+  const Eigen::Vector2d residual = camera.project(point) - view.pixel(keypoint).cast<double>();
   if (!(residual.squaredNorm() <= kChiSquare2 * sigma * sigma)) return false;
-  const double z = view.features->depth(keypoint);
+  const double z = view.depth(keypoint);
   if (z <= 0) return true;
   const double inverse_residual = (1 / z - 1 / point.z()) / noise.inverse_depth_sigma;
   return inverse_residual * inverse_residual <= kChiSquare1;
 }
 
 std::optional<Eigen::Vector3d> from_depth(const Camera& camera, const View& view, int keypoint) {
-  const float z = view.features->depth(keypoint);
+  const float z = view.depth(keypoint);
   if (z <= 0) return {};
-  return view.cam_from_world.inverse() * camera.unproject(view.features->pixel(keypoint).cast<double>(), z);
+  return view.cam_from_world.inverse() * camera.unproject(view.pixel(keypoint).cast<double>(), z);
 }
 
 std::optional<Eigen::Vector3d> locate(const Camera& camera, const View& a, const View& b,
                                       const KeypointPair& pair, double minimum_parallax_deg) {
-  const Eigen::Vector3d ray_a = camera.unproject(a.features->pixel(pair.first).cast<double>(), 1);
-  const Eigen::Vector3d ray_b = camera.unproject(b.features->pixel(pair.second).cast<double>(), 1);
+  const Eigen::Vector3d ray_a = camera.unproject(a.pixel(pair.first).cast<double>(), 1);
+  const Eigen::Vector3d ray_b = camera.unproject(b.pixel(pair.second).cast<double>(), 1);
   const Eigen::Vector3d in_world_a = a.cam_from_world.rotation.conjugate() * ray_a;
   const Eigen::Vector3d in_world_b = b.cam_from_world.rotation.conjugate() * ray_b;
   const double angle = std::atan2(in_world_a.cross(in_world_b).norm(), in_world_a.dot(in_world_b));
@@ -128,10 +132,11 @@ bool scales_agree(const View& a, const View& b, const KeypointPair& pair, const 
 void anchor_new(Map& map, const Camera& camera, const NoiseSettings& noise, LandmarkId id) {
   const std::vector<Observation>& observations = map.landmark(id).observations;
   const Observation& oldest = observations.front();
-  const FrameFeatures& features = *map.keyframe(oldest.keyframe).features;
-  const auto aligned = static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
-  map.set_measurement(oldest.keyframe, oldest.keypoint,
-                      {features.pixel(oldest.keypoint), features.scale_of(oldest.keypoint) * aligned});
+  const Keyframe& keyframe = map.keyframe(oldest.keyframe);
+  Measurement measurement = keyframe.measurements[oldest.keypoint];
+  measurement.scale = keyframe.features->scale_of(oldest.keypoint) *
+                      static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
+  map.set_measurement(oldest.keyframe, oldest.keypoint, measurement);
   align_observation(map, camera, noise, id, observations.back().keyframe);
 }
 

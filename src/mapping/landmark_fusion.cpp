@@ -46,15 +46,17 @@ int find_in_keyframe(const Keyframe& keyframe, const Landmark& landmark, const C
   const int level = std::clamp(static_cast<int>(std::ceil(std::log(landmark.largest_distance / distance) /
                                                           features.log_scale_factor())),
                                0, features.levels() - 1);
-  const SearchWindow window{static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
+  const Eigen::Vector2f seen = keyframe.motion.project(camera, point).cast<float>();
+  const SearchWindow window{seen.x(), seen.y(),
                             static_cast<float>(settings.fuse_radius) * features.scale(level),
                             std::max(level - 1, 0), level};
   const BestMatch best = match_in_window(features, landmark.descriptor, window, {});
   if (best.index < 0 || best.distance > settings.match_distance) return -1;
   const double sigma = noise.pixel_sigma * features.scale_of(best.index);
-  if ((pixel - features.pixel(best.index).cast<double>()).squaredNorm() > kChiSquare2 * sigma * sigma)
+  if ((pixel - keyframe.measurements[best.index].pixel.cast<double>()).squaredNorm() >
+      kChiSquare2 * sigma * sigma)
     return -1;
-  const double z = features.depth(best.index);
+  const double z = keyframe.measurements[best.index].depth;
   const double inverse_residual = z > 0 ? (1 / z - 1 / point.z()) / noise.inverse_depth_sigma : 0;
   return inverse_residual * inverse_residual <= kChiSquare1 ? best.index : -1;
 }

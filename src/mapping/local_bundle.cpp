@@ -72,8 +72,7 @@ LocalProblem make_problem(const Map& map, KeyframeId keyframe, const MappingSett
       const Keyframe& seen_by = map.keyframe(o.keyframe);
       const Measurement& measurement = seen_by.measurements[o.keypoint];
       problem.bundle.observations.push_back({pose_index[o.keyframe.value], static_cast<std::int32_t>(point),
-                                             measurement.pixel, seen_by.features->depth(o.keypoint),
-                                             measurement.scale});
+                                             measurement.pixel, measurement.depth, measurement.scale});
       problem.keypoints.push_back(o.keypoint);
     }
   }

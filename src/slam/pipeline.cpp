@@ -68,7 +68,7 @@ TrackedFrame Pipeline::extract(const RgbdImage& image) {
                                                   settings_.features.scale_factor,
                                                   extractor_.levels(grey.size()), &extractor_.pyramid());
   last_time_ = image.timestamp;
-  return {next_frame_++, image.timestamp, std::move(features)};
+  return {camera_, next_frame_++, image.timestamp, std::move(features)};
 }
 
 /// The map comes back from the mapper at the frame that was fixed when it was given away, or when tracking

@@ -9,13 +9,13 @@
 namespace stdc {
 namespace {
 
-/// Ideal pixel of a world point if it lies before the camera and inside the image.
-std::optional<Eigen::Vector2f> project_inside(const Camera& camera, const Pose& cam_from_world,
+/// Ideal pixel at which the frame shows a world point if it lies before the camera and inside the image.
+std::optional<Eigen::Vector2f> project_inside(const Camera& camera, const TrackedFrame& frame,
                                               const Eigen::Vector3d& position) {
   constexpr double kNearest = 0.05;  // [m]
-  const Eigen::Vector3d point = cam_from_world * position;
+  const Eigen::Vector3d point = frame.cam_from_world * position;
   if (!(point.z() > kNearest)) return {};
-  const Eigen::Vector2d pixel = camera.project(point);
+  const Eigen::Vector2d pixel = frame.motion.project(camera, point);
   if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera.width && pixel.y() < camera.height)) return {};
   return pixel.cast<float>();
 }
@@ -37,21 +37,22 @@ std::optional<Eigen::Vector3d> point_of_last(const Camera& camera, const LocalMa
   const LandmarkId id = last.landmarks[keypoint];
   *landmark = id.valid() ? map.find(id) : -1;
   if (*landmark >= 0) return temporary ? std::nullopt : std::optional(map.landmarks[*landmark].position);
-  const float z = last.features->depth(keypoint);
-  if (!temporary || z <= 0 || last.outlier[keypoint] != 0) return {};
-  return world_from_last * camera.unproject(last.features->pixel(keypoint).cast<double>(), z);
+  const Measurement& measurement = last.measurements[keypoint];
+  if (!temporary || measurement.depth <= 0 || last.outlier[keypoint] != 0) return {};
+  return world_from_last * camera.unproject(measurement.pixel.cast<double>(), measurement.depth);
 }
 
 }  // namespace
 
 std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& map, const TrackedFrame& last,
-                                         const FrameFeatures& frame, const Pose& predicted_cam_from_world,
-                                         double radius, const TrackingSettings& settings) {
+                                         const TrackedFrame& frame, double radius,
+                                         const TrackingSettings& settings) {
+  const FrameFeatures& features = *frame.features;
   std::vector<FrameMatch> matches;
   std::vector<float> turns;
-  std::vector<std::uint8_t> taken(frame.size(), 0);
+  std::vector<std::uint8_t> taken(features.size(), 0);
   const Pose world_from_last = last.cam_from_world.inverse();
-  const int top = frame.levels() - 1;
+  const int top = features.levels() - 1;
   for (const bool temporary : {false, true}) {
     // With enough landmarks the temporary points, whose depth was seen once only, would add noise alone.
     if (temporary && static_cast<int>(matches.size()) >= settings.initial_landmarks) break;
@@ -59,18 +60,18 @@ std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& m
       int landmark = -1;
       const auto position = point_of_last(camera, map, last, world_from_last, i, temporary, &landmark);
       if (!position) continue;
-      const auto pixel = project_inside(camera, predicted_cam_from_world, *position);
+      const auto pixel = project_inside(camera, frame, *position);
       if (!pixel) continue;
       const int level = last.features->keypoint(i).level;
-      const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius) * frame.scale(level),
+      const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius) * features.scale(level),
                                 std::max(level - 1, 0), std::min(level + 1, top)};
       const Descriptor& descriptor =
           landmark >= 0 ? map.landmarks[landmark].descriptor : last.features->descriptor(i);
-      const BestMatch best = match_in_window(frame, descriptor, window, taken);
+      const BestMatch best = match_in_window(features, descriptor, window, taken);
       if (!best.accepted(settings.loose_match_distance, 1.0)) continue;
       taken[best.index] = 1;
       matches.push_back({best.index, landmark, *position});
-      turns.push_back(last.features->keypoint(i).angle - frame.keypoint(best.index).angle);
+      turns.push_back(last.features->keypoint(i).angle - features.keypoint(best.index).angle);
     }
   }
   keep_consistent(matches, turns);
@@ -94,24 +95,25 @@ std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures
   return matches;
 }
 
-void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatures& frame,
-                     const Pose& cam_from_world, double radius, const TrackingSettings& settings,
-                     std::vector<FrameMatch>& matches, std::vector<int>& visible) {
+void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFrame& frame, double radius,
+                     const TrackingSettings& settings, std::vector<FrameMatch>& matches,
+                     std::vector<int>& visible) {
+  const FrameFeatures& features = *frame.features;
   constexpr float kLargestAngleCosine = 0.5F;  // 60 degrees between now and the mean viewing direction
-  std::vector<std::uint8_t> taken(frame.size(), 0), matched(map.landmarks.size(), 0);
+  std::vector<std::uint8_t> taken(features.size(), 0), matched(map.landmarks.size(), 0);
   for (const FrameMatch& match : matches) {
     taken[match.keypoint] = 1;
     if (match.landmark >= 0) matched[match.landmark] = 1;
   }
-  const Eigen::Vector3d centre = cam_from_world.centre();
-  const int top = frame.levels() - 1;
+  const Eigen::Vector3d centre = frame.cam_from_world.centre();
+  const int top = features.levels() - 1;
   for (int i = 0; i < static_cast<int>(map.landmarks.size()); ++i) {
     const LocalLandmark& landmark = map.landmarks[i];
     if (matched[i] != 0) {
       visible.push_back(i);
       continue;
     }
-    const auto pixel = project_inside(camera, cam_from_world, landmark.position);
+    const auto pixel = project_inside(camera, frame, landmark.position);
     if (!pixel) continue;
     const Eigen::Vector3f ray = (landmark.position - centre).cast<float>();
     const float distance = ray.norm();
@@ -121,13 +123,14 @@ void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatu
     if (cosine < kLargestAngleCosine) continue;
     visible.push_back(i);
     const int level = std::clamp(static_cast<int>(std::ceil(std::log(landmark.largest_distance / distance) /
-                                                            frame.log_scale_factor())),
+                                                            features.log_scale_factor())),
                                  0, top);
     // Seen from the side a point's appearance and place are less sure.
     const double wider = cosine > 0.998F ? 1.0 : 1.6;
-    const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius * wider) * frame.scale(level),
+    const SearchWindow window{pixel->x(), pixel->y(),
+                              static_cast<float>(radius * wider) * features.scale(level),
                               std::max(level - 1, 0), std::min(level + 1, top)};
-    const BestMatch best = match_in_window(frame, landmark.descriptor, window, taken);
+    const BestMatch best = match_in_window(features, landmark.descriptor, window, taken);
     if (!best.accepted(settings.loose_match_distance, settings.best_to_second)) continue;
     taken[best.index] = 1;
     matches.push_back({best.index, i, landmark.position});
@@ -142,11 +145,14 @@ void align_matches(const Camera& camera, const NoiseSettings& noise, const Local
     const LocalLandmark& landmark = map.landmarks[match.landmark];
     const LocalAnchor& view = map.anchors[landmark.anchor];
     const Anchor anchor{view.features.get(), landmark.anchor_keypoint, view.cam_from_world,
-                        landmark.anchor_pixel};
+                        landmark.anchor_seen};
     const Keypoint& keypoint = frame.features->keypoint(match.keypoint);
-    const auto measurement = align_in_image(camera, noise, anchor, match.position, frame.cam_from_world,
-                                            *frame.features, pyramid, {keypoint.x, keypoint.y}, kReach);
-    if (measurement) frame.measurements[match.keypoint] = *measurement;
+    const auto sight = align_in_image(camera, noise, anchor, match.position, frame.cam_from_world,
+                                      *frame.features, pyramid, {keypoint.x, keypoint.y}, kReach);
+    if (!sight) continue;
+    const auto z = static_cast<float>((frame.cam_from_world * match.position).z());
+    frame.measurements[match.keypoint] =
+        measure(camera, frame.motion, sight->seen, z, frame.features->depth(match.keypoint), sight->scale);
   }
 }
 
@@ -156,8 +162,8 @@ std::vector<PoseObservation> make_observations(const TrackedFrame& frame,
   observations.reserve(matches.size());
   for (const FrameMatch& match : matches) {
     const Measurement& measurement = frame.measurements[match.keypoint];
-    observations.push_back({match.position, measurement.pixel.cast<double>(),
-                            frame.features->depth(match.keypoint), measurement.scale});
+    observations.push_back(
+        {match.position, measurement.pixel.cast<double>(), measurement.depth, measurement.scale});
   }
   return observations;
 }

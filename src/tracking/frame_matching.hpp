@@ -18,12 +18,13 @@ struct FrameMatch {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< world [m]
 };
 
-/// Matches the landmarks that the last frame saw around where the predicted pose puts them, with consistent
-/// turns. Where they are few, points made of the last frame's other keypoints with depth are matched too.
+/// Matches the landmarks that the last frame saw around where the frame's predicted pose and motion put them,
+/// with consistent turns. Where they are few, points made of the last frame's other keypoints with depth are
+/// matched too.
 /// @param radius  search radius [px] on level 0; grows with the level's scale
 std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& map, const TrackedFrame& last,
-                                         const FrameFeatures& frame, const Pose& predicted_cam_from_world,
-                                         double radius, const TrackingSettings& settings);
+                                         const TrackedFrame& frame, double radius,
+                                         const TrackingSettings& settings);
 
 /// Matches the reference keyframe's landmarks by descriptor alone, with consistent turns.
 std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures& frame,
@@ -33,9 +34,9 @@ std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures
 /// @param matches      in, out: what is matched already; new matches are appended
 /// @param visible      out: indices of landmarks that should be seen, those already matched included
 /// @param radius       search radius [px] on level 0
-void match_local_map(const Camera& camera, const LocalMap& map, const FrameFeatures& frame,
-                     const Pose& cam_from_world, double radius, const TrackingSettings& settings,
-                     std::vector<FrameMatch>& matches, std::vector<int>& visible);
+void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFrame& frame, double radius,
+                     const TrackingSettings& settings, std::vector<FrameMatch>& matches,
+                     std::vector<int>& visible);
 
 /// Aligns the frame's image to the anchors of the matched landmarks: sets the measurements of those keypoints
 /// where it succeeds.

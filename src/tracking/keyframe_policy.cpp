@@ -54,8 +54,8 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
                            const TrackingSettings& settings) {
   const FrameFeatures& features = *frame.features;
-  const KeyframeId keyframe =
-      map.add_keyframe(frame.index, frame.timestamp, frame.cam_from_world, frame.features);
+  const KeyframeId keyframe = map.add_keyframe(
+      {frame.index, frame.timestamp, frame.cam_from_world, frame.motion, frame.features, frame.measurements});
   std::vector<int> free_with_depth;
   for (int i = 0; i < features.size(); ++i) {
     LandmarkId& landmark = frame.landmarks[i];
@@ -68,14 +68,15 @@ KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& 
   const auto aligned = static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
   for (std::size_t rank = 0; rank < free_with_depth.size(); ++rank) {
     const int i = free_with_depth[rank];
-    const float z = features.depth(i);
-    if (z > settings.close_depth && static_cast<int>(rank) >= settings.initial_landmarks) break;
-    const LandmarkId landmark =
-        map.add_landmark(world_from_cam * camera.unproject(features.pixel(i).cast<double>(), z), keyframe);
+    const Measurement& measurement = frame.measurements[i];
+    if (measurement.depth > settings.close_depth && static_cast<int>(rank) >= settings.initial_landmarks)
+      break;
+    const LandmarkId landmark = map.add_landmark(
+        world_from_cam * camera.unproject(measurement.pixel.cast<double>(), measurement.depth), keyframe);
     map.observe(keyframe, i, landmark);
     map.refresh(landmark);
     // This sight defines what the landmark is.
-    frame.measurements[i] = {features.pixel(i), features.scale_of(i) * aligned};
+    frame.measurements[i].scale = features.scale_of(i) * aligned;
     frame.landmarks[i] = landmark;
     frame.outlier[i] = 0;
   }

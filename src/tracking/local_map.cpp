@@ -64,7 +64,7 @@ class Copier {
     local.established = landmark.observations.size() >= kEstablished;
     local.anchor = anchor;
     local.anchor_keypoint = oldest.keypoint;
-    local.anchor_pixel = keyframe.measurements[oldest.keypoint].pixel;
+    local.anchor_seen = keyframe.measurements[oldest.keypoint].seen;
     return local;
   }
 

@@ -23,7 +23,7 @@ struct LocalLandmark {
   bool established = false;  ///< seen by three keyframes or more
   int anchor = 0;            ///< index into LocalMap::anchors
   int anchor_keypoint = 0;
-  Eigen::Vector2f anchor_pixel = Eigen::Vector2f::Zero();
+  Eigen::Vector2f anchor_seen = Eigen::Vector2f::Zero();
 };
 
 /// A keyframe that saw some of the landmarks first.

@@ -15,7 +15,8 @@ struct TrackedFrame {
   int index = 0;         ///< of the input frame
   double timestamp = 0;  ///< [s]
   std::shared_ptr<const FrameFeatures> features;
-  Pose cam_from_world;
+  Pose cam_from_world;                    ///< when the middle row was read
+  CameraMotion motion;                    ///< about that pose
   std::vector<Measurement> measurements;  ///< per keypoint
   std::vector<LandmarkId> landmarks;      ///< per keypoint; invalid: none
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
@@ -23,11 +24,18 @@ struct TrackedFrame {
   int inliers = 0;                    ///< landmarks left after it
 
   TrackedFrame() = default;
-  TrackedFrame(int frame_index, double time, std::shared_ptr<const FrameFeatures> frame_features)
+  /// At rest until the tracker knows better.
+  TrackedFrame(const Camera& camera, int frame_index, double time,
+               std::shared_ptr<const FrameFeatures> frame_features)
       : index(frame_index), timestamp(time), features(std::move(frame_features)) {
-    measurements = keypoint_measurements(*features);
+    set_motion(camera, CameraMotion(camera, Vector6d::Zero()));
     landmarks.resize(features->size());
     outlier.resize(features->size(), 0);
+  }
+  /// Measures all keypoints anew.
+  void set_motion(const Camera& camera, const CameraMotion& camera_motion) {
+    motion = camera_motion;
+    measurements = measure_keypoints(camera, motion, *features);
   }
 };
 

@@ -18,6 +18,7 @@ bool Tracker::track(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyr
     matches = track_reference(frame, map);
   times_.prediction = watch.lap_ms();
   if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion) return false;
+  frame.set_motion(camera_, CameraMotion(camera_, velocity_to(frame)));
   const bool tracked =
       refine(frame, map, pyramid, std::move(matches), settings_.local_map_radius, settings_.minimum_inliers);
   times_.local_map = watch.lap_ms();
@@ -31,11 +32,11 @@ Pose Tracker::predict(double timestamp) const {
 
 std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& map) const {
   frame.cam_from_world = predict(frame.timestamp);
+  frame.set_motion(camera_, CameraMotion(camera_, velocity_));
   std::vector<FrameMatch> matches;
   // Where the prediction was wrong (a jerk, a blurred stretch), look further.
   for (const double widening : {1.0, 2.5}) {
-    matches = match_last_frame(camera_, map, *last_, *frame.features, frame.cam_from_world,
-                               widening * settings_.search_radius, settings_);
+    matches = match_last_frame(camera_, map, *last_, frame, widening * settings_.search_radius, settings_);
     if (static_cast<int>(matches.size()) >= 2 * settings_.minimum_inliers_motion) break;
   }
   return optimise(frame, std::move(matches));
@@ -43,6 +44,7 @@ std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMa
 
 std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const LocalMap& map) const {
   frame.cam_from_world = last_->cam_from_world;
+  frame.set_motion(camera_, CameraMotion(camera_, Vector6d::Zero()));
   return optimise(frame, match_reference(map, *frame.features, settings_));
 }
 
@@ -64,7 +66,7 @@ std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<Frame
 bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid,
                      std::vector<FrameMatch> matches, double radius, int least_inliers) {
   std::vector<int> visible;
-  match_local_map(camera_, map, *frame.features, frame.cam_from_world, radius, settings_, matches, visible);
+  match_local_map(camera_, map, frame, radius, settings_, matches, visible);
   const auto is_temporary = [](const FrameMatch& m) { return m.landmark < 0; };
   const auto temporary = std::count_if(matches.begin(), matches.end(), is_temporary);
   if (static_cast<int>(matches.size() - temporary) >= settings_.initial_landmarks) {
@@ -105,12 +107,15 @@ void Tracker::flush_counts(Map& map) {
   counts_.clear();
 }
 
+/// Twist per second from the last frame to this one.
+Vector6d Tracker::velocity_to(const TrackedFrame& frame) const {
+  if (!last_ || !(frame.timestamp > last_->timestamp)) return Vector6d::Zero();
+  return (frame.cam_from_world * last_->cam_from_world.inverse()).log() /
+         (frame.timestamp - last_->timestamp);
+}
+
 void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world) {
-  velocity_.setZero();
-  if (last_ && frame.timestamp > last_->timestamp) {
-    velocity_ =
-        (frame.cam_from_world * last_->cam_from_world.inverse()).log() / (frame.timestamp - last_->timestamp);
-  }
+  velocity_ = velocity_to(frame);
   last_ = frame;
   last_reference_ = reference;
   last_from_reference_ = frame.cam_from_world * reference_from_world.inverse();

@@ -48,6 +48,7 @@ class Tracker {
 
  private:
   Pose predict(double timestamp) const;
+  Vector6d velocity_to(const TrackedFrame& frame) const;
   std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& map) const;
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
