@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <opencv2/core/utility.hpp>
 #include <span>
 
 #include "core/error.hpp"
@@ -99,6 +100,7 @@ void track_all(std::span<const SequenceFrame> frames, const Camera& camera, cons
 
 void run_sequence(const RunOptions& options) {
   const InterruptWatch interrupts;
+  cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
   Settings settings = chosen_settings(options.settings);
   settings.system.report_keypoints = options.debug_images.has_value();
   const TumSequence sequence(options.sequence);
