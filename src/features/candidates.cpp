@@ -24,18 +24,16 @@ void CandidateChooser::assign_regions(std::span<const Corner> corners, const Cel
   high_count_.assign(at(columns * rows), 0);
 }
 
-void CandidateChooser::choose_improved(std::span<const Corner> corners, int budget, int threshold_high) {
+void CandidateChooser::choose_improved(std::span<const Corner> corners, const Cell& area, int budget,
+                                       const FeatureSettings& settings) {
   low_.clear();
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
-    if (corners[at(i)].score >= threshold_high) {
-      chosen_.push_back(i);
-      ++high_count_[at(region_of_[at(i)])];
-    } else {
-      low_.push_back(i);
-    }
+    (corners[at(i)].score >= settings.threshold_high ? chosen_ : low_).push_back(i);
   }
   const int missing = budget - static_cast<int>(chosen_.size());
   if (missing <= 0 || low_.empty()) return;
+  assign_regions(corners, area, settings.region_size);
+  for (const int i : chosen_) ++high_count_[at(region_of_[at(i)])];
   // The turn of a corner is the number of candidates in its region before it: the corners of all regions with
   // the same number of candidates have their turn together.
   const auto stronger = [&](int a, int b) { return corners[at(a)].score > corners[at(b)].score; };
@@ -49,7 +47,10 @@ void CandidateChooser::choose_improved(std::span<const Corner> corners, int budg
   std::sort(chosen_.begin(), chosen_.end());
 }
 
-void CandidateChooser::choose_classic(std::span<const Corner> corners, int threshold_high) {
+void CandidateChooser::choose_classic(std::span<const Corner> corners, const Cell& area,
+                                      const FeatureSettings& settings) {
+  const int threshold_high = settings.threshold_high;
+  assign_regions(corners, area, settings.region_size);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i].score >= threshold_high) ++high_count_[at(region_of_[i])];
   }
@@ -63,11 +64,10 @@ const std::vector<Candidate>& CandidateChooser::choose(std::span<const Corner> c
                                                        int budget, const FeatureSettings& settings) {
   chosen_.clear();
   candidates_.clear();
-  assign_regions(corners, area, settings.region_size);
   if (settings.selection == Selection::improved) {
-    choose_improved(corners, budget, settings.threshold_high);
+    choose_improved(corners, area, budget, settings);
   } else {
-    choose_classic(corners, settings.threshold_high);
+    choose_classic(corners, area, settings);
   }
   for (const int i : chosen_) {
     const Corner& corner = corners[at(i)];

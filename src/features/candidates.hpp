@@ -26,8 +26,9 @@ class CandidateChooser {
                                        const FeatureSettings& settings);
 
  private:
-  void choose_improved(std::span<const Corner> corners, int budget, int threshold_high);
-  void choose_classic(std::span<const Corner> corners, int threshold_high);
+  void choose_improved(std::span<const Corner> corners, const Cell& area, int budget,
+                       const FeatureSettings& settings);
+  void choose_classic(std::span<const Corner> corners, const Cell& area, const FeatureSettings& settings);
   void assign_regions(std::span<const Corner> corners, const Cell& area, int region_size);
 
   struct LowCorner {
@@ -35,7 +36,7 @@ class CandidateChooser {
     int index;  // of the corner
   };
   std::vector<int> region_of_;   // by corner
-  std::vector<int> high_count_;  // by region
+  std::vector<int> high_count_;  // by region; then all candidates that it has given
   std::vector<int> low_, chosen_;
   std::vector<LowCorner> turns_;
   std::vector<Candidate> candidates_;

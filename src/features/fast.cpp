@@ -30,56 +30,55 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Bytes = hn::ScalableTag<std::uint8_t>;
 using Vector = hn::Vec<Bytes>;
 
-// The largest d such that nine contiguous of the 16 differences are all >= d. Two arcs of nine that start one
-// apart share eight: min of those eight with the greater of the two ends.
-HWY_INLINE Vector best_arc(const Vector (&d)[16]) {
-  Vector two[8], best = hn::Zero(Bytes());
-  for (int i = 0; i < 8; ++i) two[i] = hn::Min(d[2 * i + 1], d[(2 * i + 2) % 16]);
-  for (int i = 0; i < 8; ++i) {
-    const auto four = hn::Min(two[i], two[(i + 1) % 8]);
-    const auto next_four = hn::Min(two[(i + 2) % 8], two[(i + 3) % 8]);
-    const auto ends = hn::Max(d[2 * i], d[(2 * i + 9) % 16]);
-    best = hn::Max(best, hn::Min(ends, hn::Min(four, next_four)));
-  }
+// The largest over all arcs of nine contiguous ring pixels of the smallest pixel of the arc; with Min and Max
+// exchanged, the smallest of the largest. Two arcs that start one apart share eight pixels: those eight with
+// the better of the two ends.
+template <typename Inner, typename Outer>
+HWY_INLINE Vector best_arc(const Vector (&ring)[16], const Inner& inner, const Outer& outer) {
+  Vector two[8], four[8];
+  for (int i = 0; i < 8; ++i) two[i] = inner(ring[2 * i + 1], ring[(2 * i + 2) % 16]);
+  for (int i = 0; i < 8; ++i) four[i] = inner(two[i], two[(i + 1) % 8]);
+  const auto arc = [&](int i) HWY_ATTR {
+    return inner(outer(ring[2 * i], ring[(2 * i + 9) % 16]), inner(four[i], four[(i + 2) % 8]));
+  };
+  Vector best = arc(0);
+  for (int i = 1; i < 8; ++i) best = outer(best, arc(i));
   return best;
 }
 
-// Any arc of nine holds two neighbouring compass points: the best such pair bounds the best arc from above.
-HWY_INLINE Vector compass_bound(Vector north, Vector east, Vector south, Vector west) {
-  return hn::Max(hn::Min(hn::Max(north, south), hn::Max(east, west)), hn::Zero(Bytes()));
+// By how much the best arc is brighter or darker than the centre, whichever is more.
+HWY_INLINE Vector contrast(Vector centre, Vector brightest, Vector darkest) {
+  return hn::Max(hn::SaturatedSub(brightest, centre), hn::SaturatedSub(centre, darkest));
 }
 
-// scores[x] for x in [begin, end): best arc - 1 where that is >= threshold, else 0. May write a vector too
+// scores[x] for x in [begin, end): contrast - 1 where that is >= threshold, else 0. May write a vector too
 // far.
 void score_row(const std::uint8_t* row, std::ptrdiff_t stride, int begin, int end, int threshold,
                std::uint8_t* scores) {
   const Bytes d;
   const auto limit = hn::Set(d, static_cast<std::uint8_t>(threshold));
-  std::ptrdiff_t offsets[16];
-  for (int i = 0; i < 16; ++i) offsets[i] = kCircle[i][1] * stride + kCircle[i][0];
+  const auto smaller = [](Vector a, Vector b) HWY_ATTR { return hn::Min(a, b); };
+  const auto larger = [](Vector a, Vector b) HWY_ATTR { return hn::Max(a, b); };
   for (int x = begin; x < end; x += static_cast<int>(hn::Lanes(d))) {
     const auto centre = hn::LoadU(d, row + x);
-    Vector ring[16], brighter[16], darker[16];
-    for (int i = 0; i < 16; i += 4) {
-      ring[i] = hn::LoadU(d, row + x + offsets[i]);
-      brighter[i] = hn::SaturatedSub(ring[i], centre);
-      darker[i] = hn::SaturatedSub(centre, ring[i]);
-    }
-    const auto bound = hn::Max(compass_bound(brighter[0], brighter[4], brighter[8], brighter[12]),
-                               compass_bound(darker[0], darker[4], darker[8], darker[12]));
-    if (hn::AllFalse(d, hn::Gt(bound, limit))) {
+    Vector ring[16];
+    const auto load = [&](int i) HWY_ATTR {
+      ring[i] = hn::LoadU(d, row + x + kCircle[i][1] * stride + kCircle[i][0]);
+    };
+    for (int i = 0; i < 16; i += 4) load(i);
+    // Every arc of nine holds the north or south and the east or west pixel: those bound its extremes.
+    const auto bound = contrast(centre, hn::Min(hn::Max(ring[0], ring[8]), hn::Max(ring[4], ring[12])),
+                                hn::Max(hn::Min(ring[0], ring[8]), hn::Min(ring[4], ring[12])));
+    if (hn::AllTrue(d, hn::Eq(hn::SaturatedSub(bound, limit), hn::Zero(d)))) {
       hn::StoreU(hn::Zero(d), d, scores + x);
       continue;
     }
     for (int i = 0; i < 16; ++i) {
-      if (i % 4 == 0) continue;
-      ring[i] = hn::LoadU(d, row + x + offsets[i]);
-      brighter[i] = hn::SaturatedSub(ring[i], centre);
-      darker[i] = hn::SaturatedSub(centre, ring[i]);
+      if (i % 4 != 0) load(i);
     }
-    const auto best = hn::Max(best_arc(brighter), best_arc(darker));
-    const auto score = hn::Sub(best, hn::Set(d, 1));
-    hn::StoreU(hn::IfThenElseZero(hn::Gt(best, limit), score), d, scores + x);
+    const auto best = contrast(centre, best_arc(ring, smaller, larger), best_arc(ring, larger, smaller));
+    const auto reaches = hn::Gt(best, limit);
+    hn::StoreU(hn::IfThenElseZero(reaches, hn::Sub(best, hn::Set(d, 1))), d, scores + x);
   }
 }
 

@@ -45,21 +45,27 @@ class Quadtree {
   const std::vector<Cell>& cells() const { return cells_; }
 
  private:
+  struct Point {
+    std::int16_t x, y;
+    std::uint32_t index : 31, high : 1;
+  };
   struct Node {
     Cell cell;
-    int begin = 0, end = 0;  // its points in order_
+    int begin = 0, end = 0;  // its points
     int high = 0;            // how many of them are of high quality
+
+    int size() const { return end - begin; }
   };
   struct Winner {
     int candidate;
     Cell cell;
   };
   void make_roots(std::span<const Candidate> candidates, const Cell& area);
-  void split(std::span<const Candidate> candidates, const Node& node);
-  void append_node(std::span<const Candidate> candidates, const Cell& cell, int begin, int end);
+  void split(const Node& node);
+  bool split_nodes(int budget, Selection selection);
   void collect_winners(std::span<const Candidate> candidates, int budget);
 
-  std::vector<int> order_, scratch_;  // candidates, those of a node side by side
+  std::vector<Point> points_, scratch_;  // those of a node side by side
   std::vector<Node> nodes_, next_;
   std::vector<int> queue_;
   std::vector<Winner> winners_;
