@@ -4,6 +4,7 @@
 /// Four points in their cameras.
 struct BundleProjection {
   Lanes row[3][3];        ///< rotations
+  Lanes offset[3];        ///< point minus centre
   Lanes x, y, inverse_z;  ///< point over z, and 1 / z
   Lanes in_front;         ///< 1 or 0
 };
@@ -19,9 +20,9 @@ STDC_INLINE void project_bundle(const BundleFour& four, const BundleView* views,
     transpose(load(views[pose[0]].rows[r]), load(views[pose[1]].rows[r]), load(views[pose[2]].rows[r]),
               load(views[pose[3]].rows[r]), view[r]);
   }
-  const Lanes dx = position[0] - view[0][3], dy = position[1] - view[1][3], dz = position[2] - view[2][3];
+  for (int r = 0; r < 3; ++r) out->offset[r] = position[r] - view[r][3];
   for (int r = 0; r < 3; ++r) {
-    in_camera[r] = view[r][0] * dx + view[r][1] * dy + view[r][2] * dz;
+    in_camera[r] = view[r][0] * out->offset[0] + view[r][1] * out->offset[1] + view[r][2] * out->offset[2];
     for (int c = 0; c < 3; ++c) out->row[r][c] = view[r][c];
   }
   const Lanes z = in_camera[2];
@@ -85,12 +86,13 @@ double linearise_bundle(const BundleFour* fours, std::size_t count, const Bundle
     add_term(d_row, depth_weight, e.depth, sums);
     for (int k = 0; k < 6; ++k) store(terms[n].hessian[k], sums[k]);
     for (int k = 0; k < 3; ++k) store(terms[n].gradient[k], sums[6 + k]);
+    for (int k = 0; k < 3; ++k) store(terms[n].offset[k], at.offset[k]);
   }
   return 0.5 * sum(total);
 }
 
 double classify_bundle(BundleFour* fours, std::size_t count, const BundleView* views,
-                       const BundlePoint* points, const Intrinsics& camera) {
+                       const BundlePoint* points, const Intrinsics& camera, const Gate& gate) {
   Lanes total = all(0.0);
   for (std::size_t n = 0; n < count; ++n) {
     BundleFour& four = fours[n];
@@ -106,9 +108,9 @@ double classify_bundle(BundleFour* fours, std::size_t count, const BundleView* v
     const Lanes behind_cost = inverse_sigma > 0.0 ? all(kBehindCost) : all(0.0);
     total += at.in_front > 0.0 ? pixel_cost + depth_cost : behind_cost;
     for (int l = 0; l < kLanes; ++l) {
-      const bool agrees = at.in_front[l] > 0 && pixel[l] <= kPixelBend;
+      const bool agrees = at.in_front[l] > 0 && pixel[l] <= gate.pixel;
       four.used_inverse_sigma[l] = agrees ? four.inverse_sigma[l] : 0.0F;
-      four.used_depth_weight[l] = agrees && depth[l] <= kDepthBend ? four.depth_weight[l] : 0.0F;
+      four.used_depth_weight[l] = agrees && depth[l] <= gate.depth ? four.depth_weight[l] : 0.0F;
     }
   }
   return 0.5 * sum(total);

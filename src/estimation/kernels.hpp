@@ -57,12 +57,13 @@ struct alignas(32) BundlePoint {
   double position[4];  ///< world [m]; the last is 0
 };
 
-/// What four observations add to the normal equations of their points: the upper triangle of J^T W J row by
-/// row, and J^T W r, with J with respect to the point in the world. The blocks of the cameras follow from
-/// these: a camera turned by phi and moved by -rho about its own centre c sees the point as if that had moved
-/// by rho + phi x (point - c).
+/// What four observations add to the normal equations of their points: the upper triangle of V = J^T W J row
+/// by row, and J^T W r, with J with respect to the point in the world; and the point minus the camera's
+/// centre. The blocks of the cameras follow from these: a camera turned by phi and moved by -rho about its
+/// own centre sees the point as if that had moved by rho + phi x offset, so with G = [I; [offset]_x] its
+/// Hessian is G V G^T, its mixed block with the point G V, its gradient G J^T W r.
 struct alignas(32) BundleTerm {
-  double hessian[6][kLanes], gradient[3][kLanes];
+  double hessian[6][kLanes], gradient[3][kLanes], offset[3][kLanes];
 };
 
 struct Intrinsics {
@@ -75,34 +76,40 @@ inline constexpr std::size_t kBlock = 48;
 /// Six numbers of a camera, padded.
 inline constexpr std::size_t kSegment = 8;
 
-/// A damped point of the eliminated system: the inverse of its damped 3x3 Hessian (upper triangle), gradient,
-/// and what damping added to the diagonal.
-struct PointSystem {
+/// A point of the damped system: the inverse L^-1 of its Hessian's Cholesky factor (lower triangle row by
+/// row), its gradient, and what damping added to the diagonal.
+struct alignas(32) PointFactor {
   double inverse[6], gradient[3], damping[3];
 };
 
-/// The observations in their order of elimination: grouped by point, within it by the camera's slot in the
-/// reduced system; slot -1: the camera does not move.
+/// What the points leave to a moving camera: the lower triangle of its diagonal block row by row (without
+/// damping), its gradient, what elimination adds to the gradient, and what it took from the diagonal.
+struct alignas(32) CameraSum {
+  double block[21], gradient[6], reduction[6], taken[6], unused;
+};
+
+/// The packed observations: first those by moving cameras, grouped by point and within a point by the
+/// camera's slot (its row in the reduced system); then, from a full group of four on, those by fixed cameras,
+/// grouped by point.
 struct SchurInput {
   const BundleFour* fours;
   const BundleTerm* terms;
-  const BundleView* views;
   const BundlePoint* points;
-  const std::uint32_t* point_start;  ///< first observation of each point, and the end
   std::size_t point_count;
-  const std::int32_t* slot;             ///< of each observation
-  const std::uint32_t* diagonal_block;  ///< of each slot: its index in `blocks`
-  const std::uint32_t* pair_block;      ///< of each pair of moving observations of a point, in order
+  const std::uint32_t *moving_start, *fixed_start;  ///< first observation of each point, and the end
+  const std::int32_t* slot;         ///< of each observation by a moving camera, padded to full groups of four
+  const std::uint32_t* pair_block;  ///< for each point, for each pair of its moving observations: the block
   double damping;
 };
 struct SchurOutput {
-  PointSystem* points;
-  double* blocks;            ///< lower triangle of the reduced system, zeroed by the caller
-  double* gradient;          ///< of each slot, before elimination; zeroed
-  double* reduced_gradient;  ///< of each slot, after it; zeroed
-  double* diagonal;          ///< of each slot, of the undamped Hessian; zeroed
-  double* scratch;           ///< 24 doubles for each moving observation of the largest point
+  PointFactor* factors;  ///< room for a multiple of kLanes
+  CameraSum* cameras;    ///< of each slot; zeroed by the caller
+  /// Lower triangle of the reduced system, without the share that is in `cameras`; zeroed by the caller.
+  /// Where a camera sees a point twice its diagonal block X stands for X + X^T.
+  double* blocks;
+  double* scratch;  ///< kScratch doubles for each moving observation of the largest point, or kChunk if more
 };
+inline constexpr std::size_t kScratch = 24, kChunk = 128;
 
 /// Lower triangle of a symmetric block matrix by columns; the first block of a column is its diagonal.
 struct BlockColumns {
@@ -111,10 +118,15 @@ struct BlockColumns {
   const std::int32_t* row;     ///< block row of each block, ascending
 };
 
+/// Largest chi-square of a pixel and of an inverse depth to take part.
+struct Gate {
+  double pixel, depth;
+};
+
 struct Table {
-  /// Linearises all observations at `view`. With `reclassify` first tells anew which of them take part:
-  /// pixel within the 95 % quantile and in front of the camera; depth within its own quantile as well.
-  void (*linearise_pose)(PoseFour* fours, std::size_t count, const PinholeView& view, bool reclassify,
+  /// Linearises the observations that take part at `view`. With a `gate` first tells anew which ones those
+  /// are: the pixel within it and in front of the camera; the depth where it lies within it as well.
+  void (*linearise_pose)(PoseFour* fours, std::size_t count, const PinholeView& view, const Gate* gate,
                          PoseSystem* system);
   /// Linearises all observations of a bundle adjustment. Returns half of the sum of the robust costs.
   double (*linearise_bundle)(const BundleFour* fours, std::size_t count, const BundleView* views,
@@ -122,12 +134,12 @@ struct Table {
   /// Tells anew which observations take part (as in linearise_pose). Returns half of the sum of the robust
   /// costs of all of them.
   double (*classify_bundle)(BundleFour* fours, std::size_t count, const BundleView* views,
-                            const BundlePoint* points, const Intrinsics& camera);
+                            const BundlePoint* points, const Intrinsics& camera, const Gate& gate);
   /// Eliminates the points from the damped normal equations (Schur complement).
   void (*eliminate_points)(const SchurInput& in, const SchurOutput& out);
   /// Moves the points for given steps of the cameras (8 numbers for each slot): writes the new points and
   /// returns twice the decrease of the cost that the linear model expects of the points' part of the step.
-  double (*substitute_points)(const SchurInput& in, const PointSystem* systems, const double* steps,
+  double (*substitute_points)(const SchurInput& in, const PointFactor* factors, const double* steps,
                               BundlePoint* moved);
   /// Cholesky factorisation in place (the pattern has room for the fill); the diagonal blocks become the
   /// inverses of the factor's. False if the matrix is not positive definite.

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kPixelBend = kChiSquare95Pixel, kDepthBend = kChiSquare95Depth;
 
-// clang-format off: each file needs those before it
+// In this order, each file needs those before it.
+// clang-format off
 #include "estimation/lanes.inl"
 #include "estimation/pose_kernel.inl"
 #include "estimation/bundle_kernel.inl"

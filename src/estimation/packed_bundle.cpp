@@ -27,30 +27,33 @@ bool is_sane(const BundleProblem& problem, const BundleObservation& o) {
          o.pixel.cwiseAbs().maxCoeff() < kLargest && o.scale > 0 && std::isfinite(o.scale);
 }
 
-/// Indices of the sane observations, grouped by point; `point_start` gets the groups' limits.
-std::vector<std::uint32_t> group_by_point(const BundleProblem& problem,
-                                          std::vector<std::uint32_t>* point_start) {
-  std::vector<std::uint8_t> sane(problem.observations.size());
-  point_start->assign(problem.points.size() + 1, 0);
-  for (std::size_t i = 0; i < sane.size(); ++i) {
-    const BundleObservation& o = problem.observations[i];
-    sane[i] = is_sane(problem, o) ? 1 : 0;
-    (*point_start)[static_cast<std::size_t>(o.point) + 1] += sane[i];
+std::vector<std::uint32_t> sane_observations(const BundleProblem& problem) {
+  std::vector<std::uint32_t> sane;
+  sane.reserve(problem.observations.size());
+  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+    if (is_sane(problem, problem.observations[i])) sane.push_back(static_cast<std::uint32_t>(i));
   }
-  std::partial_sum(point_start->begin(), point_start->end(), point_start->begin());
-  std::vector<std::uint32_t> next = *point_start, order(point_start->back());
-  for (std::size_t i = 0; i < sane.size(); ++i) {
-    if (sane[i] == 0) continue;
-    order[next[static_cast<std::size_t>(problem.observations[i].point)]++] = static_cast<std::uint32_t>(i);
-  }
-  return order;
+  return sane;
+}
+
+/// Sorts observations by a key in 0..keys-1, keeping their order where it is equal; `start` gets the first of
+/// each key, and the end.
+template <typename Key>
+std::vector<std::uint32_t> sorted_by(const std::vector<std::uint32_t>& list, std::size_t keys, Key key,
+                                     std::vector<std::uint32_t>* start) {
+  start->assign(keys + 1, 0);
+  for (const std::uint32_t i : list) ++(*start)[static_cast<std::size_t>(key(i)) + 1];
+  std::partial_sum(start->begin(), start->end(), start->begin());
+  std::vector<std::uint32_t> next = *start, result(list.size());
+  for (const std::uint32_t i : list) result[next[static_cast<std::size_t>(key(i))]++] = i;
+  return result;
 }
 
 /// Of each pose: its number among those that move and are seen by an observation, or -1.
 std::vector<std::int32_t> number_moving(const BundleProblem& problem,
-                                        const std::vector<std::uint32_t>& order) {
+                                        const std::vector<std::uint32_t>& sane) {
   std::vector<std::uint8_t> moving(problem.pose_fixed.size(), 0);
-  for (const std::uint32_t i : order) moving[static_cast<std::size_t>(problem.observations[i].pose)] = 1;
+  for (const std::uint32_t i : sane) moving[static_cast<std::size_t>(problem.observations[i].pose)] = 1;
   bool any_fixed = false;
   for (std::size_t k = 0; k < moving.size(); ++k) {
     any_fixed = any_fixed || problem.pose_fixed[k] != 0;
@@ -65,28 +68,37 @@ std::vector<std::int32_t> number_moving(const BundleProblem& problem,
   return number;
 }
 
-/// Which moving cameras see a point in common.
+/// Which moving cameras see a point in common; `order`: observations by moving cameras, grouped by point.
 BlockPattern common_points(const BundleProblem& problem, const std::vector<std::uint32_t>& order,
-                           const std::vector<std::uint32_t>& point_start,
-                           const std::vector<std::int32_t>& number) {
+                           const std::vector<std::uint32_t>& start, const std::vector<std::int32_t>& number) {
   BlockPattern pattern(static_cast<std::size_t>(*std::max_element(number.begin(), number.end()) + 1));
-  const auto number_of = [&](std::uint32_t place) {
-    return number[static_cast<std::size_t>(problem.observations[order[place]].pose)];
-  };
-  for (std::size_t p = 0; p + 1 < point_start.size(); ++p) {
-    for (std::uint32_t a = point_start[p]; a < point_start[p + 1]; ++a) {
-      if (number_of(a) < 0) continue;
-      for (std::uint32_t b = point_start[p]; b < a; ++b) {
-        if (number_of(b) < 0) continue;
-        pattern.connect(static_cast<std::size_t>(number_of(a)), static_cast<std::size_t>(number_of(b)));
+  std::vector<std::size_t> seen_by;
+  for (std::size_t p = 0; p + 1 < start.size(); ++p) {
+    seen_by.clear();
+    for (std::uint32_t k = start[p]; k < start[p + 1]; ++k) {
+      const auto pose = static_cast<std::size_t>(problem.observations[order[k]].pose);
+      seen_by.push_back(static_cast<std::size_t>(number[pose]));
+      for (std::size_t other = 0; other + 1 < seen_by.size(); ++other) {
+        pattern.connect(seen_by.back(), seen_by[other]);
       }
     }
   }
   return pattern;
 }
 
-void choose_slots(const BundleProblem& problem, const std::vector<std::int32_t>& number, BlockPattern pattern,
-                  std::vector<std::int32_t>* pose_slot, PackedBundle* packed) {
+/// Of each pose: its row in the reduced system, or -1.
+std::vector<std::int32_t> choose_slots(const BundleProblem& problem, const std::vector<std::uint32_t>& sane,
+                                       const std::vector<std::int32_t>& number, PackedBundle* packed) {
+  const auto number_of = [&](std::uint32_t i) {
+    return number[static_cast<std::size_t>(problem.observations[i].pose)];
+  };
+  std::vector<std::uint32_t> moving, start;
+  for (const std::uint32_t i : sane) {
+    if (number_of(i) >= 0) moving.push_back(i);
+  }
+  const auto point_of = [&](std::uint32_t i) { return problem.observations[i].point; };
+  moving = sorted_by(moving, problem.points.size(), point_of, &start);
+  const BlockPattern pattern = common_points(problem, moving, start, number);
   const std::vector<std::int32_t> order = pattern.elimination_order();
   packed->pattern = pattern.permuted(order);
   packed->pattern.eliminate();
@@ -94,46 +106,59 @@ void choose_slots(const BundleProblem& problem, const std::vector<std::int32_t>&
   for (std::size_t k = 0; k < order.size(); ++k) {
     slot_of_number[static_cast<std::size_t>(order[k])] = static_cast<std::int32_t>(k);
   }
-  pose_slot->assign(problem.pose_fixed.size(), -1);
+  std::vector<std::int32_t> pose_slot(problem.pose_fixed.size(), -1);
   packed->slot_pose.resize(order.size());
   for (std::size_t k = 0; k < number.size(); ++k) {
     if (number[k] < 0) continue;
     const std::int32_t slot = slot_of_number[static_cast<std::size_t>(number[k])];
-    (*pose_slot)[k] = slot;
+    pose_slot[k] = slot;
     packed->slot_pose[static_cast<std::size_t>(slot)] = static_cast<std::int32_t>(k);
+  }
+  return pose_slot;
+}
+
+/// Lists the block of each pair of observations of a point by moving cameras.
+void list_pairs(PackedBundle* packed) {
+  for (std::size_t p = 0; p + 1 < packed->moving_start.size(); ++p) {
+    const std::uint32_t begin = packed->moving_start[p], end = packed->moving_start[p + 1];
+    for (std::uint32_t a = begin; a < end; ++a) {
+      for (std::uint32_t b = begin; b < a; ++b) {
+        packed->pair_block.push_back(packed->pattern.block(static_cast<std::size_t>(packed->slot[a]),
+                                                           static_cast<std::size_t>(packed->slot[b])));
+      }
+    }
+    packed->most_moving = std::max<std::size_t>(packed->most_moving, end - begin);
   }
 }
 
-/// Orders the observations of each point by slot, and lists the block of each pair of them.
-void order_observations(const BundleProblem& problem, const std::vector<std::int32_t>& pose_slot,
-                        PackedBundle* packed) {
+/// Sorts the observations into the kernels' order.
+void order_observations(const BundleProblem& problem, const std::vector<std::uint32_t>& sane,
+                        const std::vector<std::int32_t>& pose_slot, PackedBundle* packed) {
   const auto slot_of = [&](std::uint32_t i) {
     return pose_slot[static_cast<std::size_t>(problem.observations[i].pose)];
   };
-  packed->slot.resize(packed->origin.size());
-  for (std::size_t p = 0; p + 1 < packed->point_start.size(); ++p) {
-    const std::uint32_t begin = packed->point_start[p], end = packed->point_start[p + 1];
-    std::sort(packed->origin.begin() + begin, packed->origin.begin() + end,
-              [&](std::uint32_t a, std::uint32_t b) {
-                return std::pair(slot_of(a), a) < std::pair(slot_of(b), b);
-              });
-    std::uint32_t first = begin;
-    for (std::uint32_t o = begin; o < end; ++o) {
-      packed->slot[o] = slot_of(packed->origin[o]);
-      if (packed->slot[o] < 0) first = o + 1;
-      for (std::uint32_t other = first; other < o; ++other) {
-        packed->pair_block.push_back(packed->pattern.block(static_cast<std::size_t>(packed->slot[o]),
-                                                           static_cast<std::size_t>(packed->slot[other])));
-      }
-    }
-    packed->most_moving = std::max<std::size_t>(packed->most_moving, end - first);
-  }
-  packed->diagonal_block.assign(packed->pattern.starts().begin(), packed->pattern.starts().end() - 1);
+  const auto point_of = [&](std::uint32_t i) { return problem.observations[i].point; };
+  std::vector<std::uint32_t> fixed, moving, start;
+  for (const std::uint32_t i : sane) (slot_of(i) < 0 ? fixed : moving).push_back(i);
+  moving = sorted_by(moving, packed->slot_pose.size(), slot_of, &start);
+  moving = sorted_by(moving, problem.points.size(), point_of, &packed->moving_start);
+  fixed = sorted_by(fixed, problem.points.size(), point_of, &packed->fixed_start);
+
+  packed->origin = moving;
+  packed->origin.resize((moving.size() + kLanes - 1) / kLanes * kLanes, PackedBundle::kNone);
+  packed->slot.reserve(packed->origin.size());
+  for (const std::uint32_t i : moving) packed->slot.push_back(slot_of(i));
+  packed->slot.resize(packed->origin.size(), 0);
+  const auto offset = static_cast<std::uint32_t>(packed->origin.size());
+  for (std::uint32_t& first : packed->fixed_start) first += offset;
+  packed->origin.insert(packed->origin.end(), fixed.begin(), fixed.end());
+  packed->origin.resize((packed->origin.size() + kLanes - 1) / kLanes * kLanes, PackedBundle::kNone);
 }
 
 void fill_lanes(const BundleProblem& problem, const NoiseSettings& noise, PackedBundle* packed) {
-  packed->fours.resize((packed->origin.size() + kLanes - 1) / kLanes);  // zeroed: empty lanes weigh nothing
+  packed->fours.resize(packed->origin.size() / kLanes);  // zeroed: padding weighs nothing
   for (std::size_t k = 0; k < packed->origin.size(); ++k) {
+    if (packed->origin[k] == PackedBundle::kNone) continue;
     const BundleObservation& o = problem.observations[packed->origin[k]];
     kernels::BundleFour& four = packed->fours[k / kLanes];
     const std::size_t lane = k % kLanes;
@@ -159,13 +184,12 @@ std::optional<PackedBundle> pack_bundle(const BundleProblem& problem, const Nois
     return std::nullopt;
   }
   PackedBundle packed;
-  packed.origin = group_by_point(problem, &packed.point_start);
-  if (packed.origin.empty()) return std::nullopt;
-  const std::vector<std::int32_t> number = number_moving(problem, packed.origin);
-  std::vector<std::int32_t> pose_slot;
-  choose_slots(problem, number, common_points(problem, packed.origin, packed.point_start, number), &pose_slot,
-               &packed);
-  order_observations(problem, pose_slot, &packed);
+  const std::vector<std::uint32_t> sane = sane_observations(problem);
+  if (sane.empty()) return std::nullopt;
+  const std::vector<std::int32_t> number = number_moving(problem, sane);
+  const std::vector<std::int32_t> pose_slot = choose_slots(problem, sane, number, &packed);
+  order_observations(problem, sane, pose_slot, &packed);
+  list_pairs(&packed);
   fill_lanes(problem, noise, &packed);
   return packed;
 }

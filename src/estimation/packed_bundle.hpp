@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,17 +11,22 @@
 
 namespace stdc {
 
-/// A bundle adjustment problem in the layout of the kernels: sane observations only, grouped by point and
-/// within a point by the order in which the cameras are eliminated (cameras that do not move come first).
+/// A bundle adjustment problem in the layout of the kernels (see kernels::SchurInput), sane observations
+/// only.
 struct PackedBundle {
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
   std::vector<kernels::BundleFour> fours;
-  std::vector<std::uint32_t> origin;       ///< of each packed observation: its index in the problem
-  std::vector<std::int32_t> slot;          ///< of each packed observation: row in the reduced system, or -1
-  std::vector<std::uint32_t> point_start;  ///< first packed observation of each point, and the end
-  std::vector<std::int32_t> slot_pose;     ///< of each row of the reduced system: its pose
-  std::vector<std::uint32_t> diagonal_block, pair_block;  ///< see kernels::SchurInput
+  std::vector<std::uint32_t>
+      origin;                      ///< of each packed observation: its index in the problem; kNone: padding
+  std::vector<std::int32_t> slot;  ///< of each packed observation by a moving camera, padded
+  std::vector<std::uint32_t> moving_start, fixed_start;  ///< of each point, and the end
+  std::vector<std::int32_t> slot_pose;                   ///< of each row of the reduced system: its pose
+  std::vector<std::uint32_t> pair_block;
   BlockPattern pattern{0};
   std::size_t most_moving = 0;  ///< observations by moving cameras of one point, at most
+
+  std::size_t points() const { return moving_start.size() - 1; }
 };
 
 /// Nothing if the problem's lists do not fit together, a camera is not finite, or no observation is sane.

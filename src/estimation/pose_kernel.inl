@@ -23,10 +23,10 @@ STDC_INLINE void pose_residuals(const PoseFour& four, const PinholeView& view, P
   out->depth = (out->inverse_z - load(four.inverse_depth)) * load(four.depth_weight);
 }
 
-STDC_INLINE void pose_classify(const PoseResiduals& e, PoseFour* four) {
+STDC_INLINE void pose_classify(const PoseResiduals& e, const Gate& gate, PoseFour* four) {
   const Lanes present = load(four->inverse_sigma) > 0.0 ? e.in_front : all(0.0);
-  const Lanes pixel = e.u * e.u + e.v * e.v <= kPixelBend ? present : all(0.0);
-  const Lanes near = e.depth * e.depth <= kDepthBend ? pixel : all(0.0);
+  const Lanes pixel = e.u * e.u + e.v * e.v <= gate.pixel ? present : all(0.0);
+  const Lanes near = e.depth * e.depth <= gate.depth ? pixel : all(0.0);
   store(four->use_pixel, pixel);
   store(four->use_depth, load(four->depth_weight) > 0.0 ? near : all(0.0));
 }
@@ -71,13 +71,13 @@ STDC_INLINE void add_pose_four(const PoseFour& four, const PinholeView& view, co
   add_row<0, 1, 5>(d_row, depth_weight, e.depth, sums);
 }
 
-void linearise_pose(PoseFour* fours, std::size_t count, const PinholeView& view, bool reclassify,
+void linearise_pose(PoseFour* fours, std::size_t count, const PinholeView& view, const Gate* gate,
                     PoseSystem* system) {
   Lanes sums[28] = {};
   for (std::size_t i = 0; i < count; ++i) {
     PoseResiduals residuals;
     pose_residuals(fours[i], view, &residuals);
-    if (reclassify) pose_classify(residuals, &fours[i]);
+    if (gate != nullptr) pose_classify(residuals, *gate, &fours[i]);
     add_pose_four(fours[i], view, residuals, sums);
   }
   for (int k = 0; k < 21; ++k) system->h[k] = sum(sums[k]);

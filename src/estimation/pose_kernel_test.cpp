@@ -35,7 +35,7 @@ TEST(PoseKernel, PoseCostAndGradientAgreeWithDifferences) {
   const std::vector<Sight> sights = make_sights(kPose, 90, 1.0, true);
   std::vector<PoseFour> fours = pack(sights);
   PoseSystem system;
-  best().linearise_pose(fours.data(), fours.size(), view_of(kPose), false, &system);
+  best().linearise_pose(fours.data(), fours.size(), view_of(kPose), nullptr, &system);
   const auto total = [&](const Eigen::VectorXd& twist) {
     double sum = 0;
     for (const Sight& s : sights) sum += cost_of(s, Pose::exp(twist) * kPose, s.point);
@@ -50,7 +50,7 @@ TEST(PoseKernel, PoseHessianIsTheSquareOfTheJacobian) {
   const std::vector<Sight> sights = make_sights(kPose, 43, 0.1, false);
   std::vector<PoseFour> fours = pack(sights);
   PoseSystem system;
-  best().linearise_pose(fours.data(), fours.size(), view_of(kPose), false, &system);
+  best().linearise_pose(fours.data(), fours.size(), view_of(kPose), nullptr, &system);
   Matrix6d expected = Matrix6d::Zero();
   for (const Sight& s : sights) {
     const Eigen::MatrixXd j = differentiate(6, [&](const Eigen::VectorXd& twist) {
@@ -66,9 +66,10 @@ TEST(PoseKernel, PoseHessianIsTheSquareOfTheJacobian) {
 TEST(PoseKernel, AllInstructionSetsGiveTheSameBytes) {
   std::vector<PoseFour> fours = pack(make_sights(kPose, 101, 1.0, true)), again = fours;
   PoseSystem a, b;
-  for (const bool reclassify : {false, true}) {
-    best().linearise_pose(fours.data(), fours.size(), view_of(kPose), reclassify, &a);
-    baseline().linearise_pose(again.data(), again.size(), view_of(kPose), reclassify, &b);
+  const Gate gate{5.0, 3.0};
+  for (const Gate* choice : {static_cast<const Gate*>(nullptr), &gate}) {
+    best().linearise_pose(fours.data(), fours.size(), view_of(kPose), choice, &a);
+    baseline().linearise_pose(again.data(), again.size(), view_of(kPose), choice, &b);
     EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
     EXPECT_EQ(std::memcmp(fours.data(), again.data(), fours.size() * sizeof(PoseFour)), 0);
   }

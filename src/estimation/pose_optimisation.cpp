@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/huber.hpp"
 #include "estimation/kernels.hpp"
 
 namespace stdc {
@@ -21,6 +22,8 @@ constexpr double kLargestDamping = 1e6;
 // A unit direction of the pose (scaled to unit information per coordinate) that keeps less than this share of
 // its information once the others are estimated too is not determined by the observations.
 constexpr double kSingular = 1e-10;
+constexpr kernels::Gate kInlier{kChiSquare95Pixel, kChiSquare95Depth};
+constexpr kernels::Gate kTakesPart{kChiSquare99Pixel, kChiSquare99Depth};
 
 bool is_sane(const PoseObservation& o) {
   return o.point_in_world.cwiseAbs().maxCoeff() < kLargest && o.pixel.cwiseAbs().maxCoeff() < kLargest &&
@@ -70,21 +73,24 @@ struct Linearisation {
 
 class PoseSolver {
  public:
-  PoseSolver(const Camera& camera, Problem& problem) : camera_(camera), problem_(problem) {}
+  PoseSolver(const Camera& camera, Problem& problem, const PosePrior& prior)
+      : camera_(camera), problem_(problem), prior_(prior), prior_from_world_(prior.cam_from_world.inverse()) {}
 
-  Linearisation linearise(const Pose& pose, bool reclassify) {
+  /// With a gate, tells anew which observations take part.
+  Linearisation linearise(const Pose& pose, const kernels::Gate* gate) {
     kernels::PinholeView view{};
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(view.rotation) = pose.rotation_matrix();
     Eigen::Map<Eigen::Vector3d>(view.translation) = pose.translation;
     view.fx = camera_.fx, view.fy = camera_.fy, view.cx = camera_.cx, view.cy = camera_.cy;
     kernels::PoseSystem system;
-    kernels_.linearise_pose(problem_.fours.data(), problem_.fours.size(), view, reclassify, &system);
+    kernels_.linearise_pose(problem_.fours.data(), problem_.fours.size(), view, gate, &system);
     Linearisation result;
     for (int i = 0, k = 0; i < 6; ++i) {
       for (int j = i; j < 6; ++j, ++k) result.hessian(i, j) = result.hessian(j, i) = system.h[k];
     }
     result.gradient = Eigen::Map<const Vector6d>(system.g);
     result.cost = system.cost;
+    add_prior(pose, &result);
     return result;
   }
 
@@ -100,7 +106,7 @@ class PoseSolver {
       const double expected = 0.5 * step.dot(added.cwiseProduct(step) - at->gradient);
       if (!(expected > kSettled)) return;
       const Pose trial = Pose::exp(step) * *pose;
-      const Linearisation there = linearise(trial, false);
+      const Linearisation there = linearise(trial, nullptr);
       if (there.is_finite() && there.cost < at->cost) {
         const bool good = at->cost - there.cost > 0.25 * expected;
         *pose = trial;
@@ -114,7 +120,7 @@ class PoseSolver {
     }
   }
 
-  /// Bits of what takes part now, to see whether a new classification differs.
+  /// What takes part now of each observation: 1 the pixel, 2 the depth.
   std::vector<std::uint8_t> selection() const {
     std::vector<std::uint8_t> chosen(problem_.index.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -125,10 +131,28 @@ class PoseSolver {
   }
 
  private:
+  /// The residual is log(pose * prior^-1); its Jacobian over a left perturbation is the identity to first order.
+  void add_prior(const Pose& pose, Linearisation* at) const {
+    if (prior_.information.isZero(0)) return;
+    const Vector6d residual = (pose * prior_from_world_).log();
+    const Vector6d weighted = prior_.information * residual;
+    at->hessian += prior_.information;
+    at->gradient += weighted;
+    at->cost += 0.5 * residual.dot(weighted);
+  }
+
   const Camera& camera_;
   Problem& problem_;
+  const PosePrior& prior_;
+  Pose prior_from_world_;
   const kernels::Table& kernels_ = kernels::best();
 };
+
+/// How many pixels take part in a selection.
+std::size_t count(const std::vector<std::uint8_t>& selection) {
+  return static_cast<std::size_t>(
+      std::count_if(selection.begin(), selection.end(), [](std::uint8_t bits) { return (bits & 1) != 0; }));
+}
 
 bool is_determined(const Matrix6d& hessian) {
   if (!hessian.allFinite() || !(hessian.diagonal().minCoeff() > 0)) return false;
@@ -142,7 +166,7 @@ bool is_determined(const Matrix6d& hessian) {
 
 PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseObservation> observations,
                                      const Pose& initial_cam_from_world, const NoiseSettings& noise,
-                                     const PoseOptimisationSettings& settings) {
+                                     const PoseOptimisationSettings& settings, const PosePrior& prior) {
   PoseOptimisationResult result;
   result.cam_from_world = initial_cam_from_world;
   result.inlier.assign(observations.size(), 0);
@@ -151,28 +175,29 @@ PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseO
   const auto enough = static_cast<std::size_t>(std::max(settings.minimum_observations, 3));
   if (problem.index.size() < enough || !initial_cam_from_world.is_finite()) return result;
 
-  PoseSolver solver(camera, problem);
+  PoseSolver solver(camera, problem, prior);
   Pose pose = initial_cam_from_world;
-  Linearisation at = solver.linearise(pose, false);
-  std::vector<std::uint8_t> before = solver.selection();
+  Linearisation at = solver.linearise(pose, nullptr);
+  std::vector<std::uint8_t> taking_part = solver.selection();
   for (int round = 0; round < settings.rounds && at.is_finite(); ++round) {
     solver.minimise(settings.iterations_per_round, &pose, &at);
-    at = solver.linearise(pose, true);
-    std::vector<std::uint8_t> after = solver.selection();
-    if (after == before) break;
-    before.swap(after);
+    at = solver.linearise(pose, &kTakesPart);
+    std::vector<std::uint8_t> now = solver.selection();
+    if (now == taking_part) break;
+    taking_part.swap(now);
   }
-  const auto inliers = static_cast<std::size_t>(
-      std::count_if(before.begin(), before.end(), [](std::uint8_t bits) { return (bits & 1) != 0; }));
-  if (inliers < enough || !at.is_finite() || !is_determined(at.hessian)) return result;
+  if (count(taking_part) < enough || !at.is_finite() || !is_determined(at.hessian)) return result;
+  solver.linearise(pose, &kInlier);
+  const std::vector<std::uint8_t> inlier = solver.selection();
+  if (count(inlier) < enough) return result;
 
   result.usable = true;
   result.cam_from_world = pose;
-  result.inliers = static_cast<int>(inliers);
+  result.inliers = static_cast<int>(count(inlier));
   result.information = at.hessian;
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    result.inlier[problem.index[k]] = before[k] & 1;
-    result.depth_inlier[problem.index[k]] = before[k] >> 1;
+  for (std::size_t k = 0; k < inlier.size(); ++k) {
+    result.inlier[problem.index[k]] = inlier[k] & 1;
+    result.depth_inlier[problem.index[k]] = inlier[k] >> 1;
   }
   return result;
 }

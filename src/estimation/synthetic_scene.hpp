@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct Options {
   double pose_error = 0.01;        ///< initial error, metres and radians per axis
   double point_error = 0.03;       ///< initial error per axis [m]
   double noise = 1.0;              ///< factor of the measurement noise
-  NoiseSettings sigma{1.0, 0.005};
+  NoiseSettings sigma{.pixel_sigma = 1.0, .inverse_depth_sigma = 0.005};
   std::uint64_t seed = 1;
 };
 
@@ -40,6 +41,12 @@ struct Scene {
   std::vector<std::uint8_t> pixel_is_outlier;  ///< per observation
   std::vector<std::uint8_t> depth_is_outlier;  ///< per observation
 };
+
+/// Whether two poses have the same bytes (between their fields there may be padding).
+inline bool same(const Pose& a, const Pose& b) {
+  return std::memcmp(a.rotation.coeffs().data(), b.rotation.coeffs().data(), 4 * sizeof(double)) == 0 &&
+         std::memcmp(a.translation.data(), b.translation.data(), 3 * sizeof(double)) == 0;
+}
 
 inline Eigen::Vector3d normal3(Random& random, double sigma) {
   const double x = random.normal(), y = random.normal(), z = random.normal();

@@ -8,6 +8,8 @@ namespace {
 
 // Sine of the angle between two rays below which their crossing is noise, whatever the pixels' accuracy.
 constexpr double kParallel = 1e-9;
+// Distance [m] between two cameras that rounding can make.
+constexpr double kSamePlace = 1e-9;
 
 /// The test of section 4 of the paper: the rays must come nearest to each other with both depths positive,
 /// nearer than if one or both were taken backwards.
@@ -26,7 +28,8 @@ std::optional<Eigen::Vector3d> triangulate(const Pose& cam_a_from_world, const E
   const Eigen::Vector3d a = b_from_a.rotation * ray_a.normalized();  // both rays in frame b
   const Eigen::Vector3d b = ray_b.normalized();
   const double p = a.cross(b).norm(), q = a.cross(baseline).norm(), r = b.cross(baseline).norm();
-  if (!(p > kParallel) || !(q + r > 0)) return std::nullopt;  // also where something is not a number
+  // Written so that what is not a number is refused as well.
+  if (!(p > kParallel) || !(q + r > 0) || !(baseline.norm() > kSamePlace)) return std::nullopt;
   const double depth_a = r / p, depth_b = q / p;
   if (!passes_cheirality(baseline, depth_a * a, depth_b * b)) return std::nullopt;
 
