@@ -1,5 +1,5 @@
-// Block Cholesky factorisation (right-looking, by columns) and solution. Included by the kernel sources only,
-// inside of their namespace.
+// Block Cholesky factorisation (right-looking, by panels of columns) and solution. Included by the kernel
+// sources only, inside of their namespace.
 
 /// Replaces the lower triangle of a 6x6 block by the inverse of its Cholesky factor, with zeros above.
 STDC_INLINE bool invert_factor(double* block) {
@@ -44,33 +44,68 @@ STDC_INLINE void multiply_transposed(double* block, const double* inverse) {
   }
 }
 
-/// block -= rows * columns^T.
-STDC_INLINE void subtract_product(double* block, const double* rows, const double* columns) {
-  for (int c = 0; c < 6; ++c) {
-    Lanes top = load(block + 8 * c), bottom = load(block + 8 * c + 4);
-    for (int k = 0; k < 6; ++k) {
-      top -= load(rows + 8 * k) * columns[8 * k + c];
-      bottom -= load(rows + 8 * k + 4) * columns[8 * k + c];
-    }
-    store(block + 8 * c, top);
-    store(block + 8 * c + 4, bottom);
+/// Columns with the same rows below them, which are treated as one; at most this many.
+constexpr std::size_t kWidestPanel = 8;
+
+/// How many columns from `first` on have, each without its diagonal, the rows of the next one.
+STDC_INLINE std::size_t panel_width(const BlockColumns& columns, std::size_t first) {
+  const auto count = [&](std::size_t c) { return columns.start[c + 1] - columns.start[c]; };
+  std::size_t width = 1;
+  while (width < kWidestPanel && first + width < columns.size) {
+    const std::size_t last = first + width - 1;
+    // The rows of a column are among those of its first one below the diagonal: equal if as many.
+    const bool is_next =
+        count(last) > 1 && columns.row[columns.start[last] + 1] == static_cast<int>(last + 1);
+    if (!is_next || count(last) != count(last + 1) + 1) break;
+    ++width;
   }
+  return width;
+}
+
+/// target -= sum over the first `width` columns m of a panel of L(row, m) L(column, m)^T; `start`: of the
+/// panel's columns; rows are counted from the first column's diagonal.
+STDC_INLINE void subtract_panel(double* target, const double* blocks, const std::uint32_t* start,
+                                std::size_t width, std::size_t row, std::size_t column) {
+  Lanes top[6], bottom[6];
+  for (int c = 0; c < 6; ++c) top[c] = load(target + 8 * c), bottom[c] = load(target + 8 * c + 4);
+  for (std::size_t m = 0; m < width; ++m) {
+    const double* a = blocks + kBlock * (start[m] + row - m);
+    const double* b = blocks + kBlock * (start[m] + column - m);
+#pragma GCC unroll 1
+    for (int k = 0; k < 6; ++k) {
+      const Lanes low = load(a + 8 * k), high = load(a + 8 * k + 4);
+      for (int c = 0; c < 6; ++c) {
+        top[c] -= low * b[8 * k + c];
+        bottom[c] -= high * b[8 * k + c];
+      }
+    }
+  }
+  for (int c = 0; c < 6; ++c) store(target + 8 * c, top[c]), store(target + 8 * c + 4, bottom[c]);
 }
 
 bool factorise(const BlockColumns& columns, double* blocks) {
-  for (std::size_t j = 0; j < columns.size; ++j) {
-    const std::size_t begin = columns.start[j], end = columns.start[j + 1];
-    double* diagonal = blocks + kBlock * begin;
-    if (!invert_factor(diagonal)) return false;
-    for (std::size_t b = begin + 1; b < end; ++b) multiply_transposed(blocks + kBlock * b, diagonal);
-    for (std::size_t c = begin + 1; c < end; ++c) {
+  for (std::size_t first = 0; first < columns.size;) {
+    const std::size_t width = panel_width(columns, first);
+    const std::uint32_t* start = columns.start + first;
+    const std::size_t rows = start[1] - start[0];
+    for (std::size_t m = 0; m < width; ++m) {
+      for (std::size_t r = m; r < rows && m > 0; ++r) {
+        subtract_panel(blocks + kBlock * (start[m] + r - m), blocks, start, m, r, m);
+      }
+      double* diagonal = blocks + kBlock * start[m];
+      if (!invert_factor(diagonal)) return false;
+      for (std::size_t r = m + 1; r < rows; ++r) multiply_transposed(diagonal + kBlock * (r - m), diagonal);
+    }
+    const std::int32_t* row = columns.row + start[0];
+    for (std::size_t c = width; c < rows; ++c) {
       // The column that row c stands for holds, by the fill, every row from there on.
-      std::size_t target = columns.start[columns.row[c]];
-      for (std::size_t r = c; r < end; ++r) {
-        while (columns.row[target] != columns.row[r]) ++target;
-        subtract_product(blocks + kBlock * target, blocks + kBlock * r, blocks + kBlock * c);
+      std::size_t target = columns.start[row[c]];
+      for (std::size_t r = c; r < rows; ++r) {
+        while (columns.row[target] != row[r]) ++target;
+        subtract_panel(blocks + kBlock * target, blocks, start, width, r, c);
       }
     }
+    first += width;
   }
   return true;
 }
