@@ -74,7 +74,10 @@ struct Linearisation {
 class PoseSolver {
  public:
   PoseSolver(const Camera& camera, Problem& problem, const PosePrior& prior)
-      : camera_(camera), problem_(problem), prior_(prior), prior_from_world_(prior.cam_from_world.inverse()) {}
+      : camera_(camera),
+        problem_(problem),
+        prior_(prior),
+        prior_from_world_(prior.cam_from_world.inverse()) {}
 
   /// With a gate, tells anew which observations take part.
   Linearisation linearise(const Pose& pose, const kernels::Gate* gate) {
@@ -131,7 +134,8 @@ class PoseSolver {
   }
 
  private:
-  /// The residual is log(pose * prior^-1); its Jacobian over a left perturbation is the identity to first order.
+  /// The residual is log(pose * prior^-1); its Jacobian over a left perturbation is the identity to first
+  /// order.
   void add_prior(const Pose& pose, Linearisation* at) const {
     if (prior_.information.isZero(0)) return;
     const Vector6d residual = (pose * prior_from_world_).log();

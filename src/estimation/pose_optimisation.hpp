@@ -40,7 +40,8 @@ struct PoseOptimisationSettings {
 /// What is known of a pose beforehand: exp(twist) * cam_from_world with a normally distributed twist.
 struct PosePrior {
   Pose cam_from_world;
-  Matrix6d information = Matrix6d::Zero();  ///< inverse covariance of the twist (translation [m], rotation [rad])
+  Matrix6d information =
+      Matrix6d::Zero();  ///< inverse covariance of the twist (translation [m], rotation [rad])
 };
 
 struct PoseOptimisationResult {
@@ -73,7 +74,6 @@ struct PoseOptimisationResult {
 /// quarter of the information.
 PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseObservation> observations,
                                      const Pose& initial_cam_from_world, const NoiseSettings& noise,
-                                     const PoseOptimisationSettings& settings,
-                                     const PosePrior& prior = {});
+                                     const PoseOptimisationSettings& settings, const PosePrior& prior = {});
 
 }  // namespace stdc

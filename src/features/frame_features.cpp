@@ -10,6 +10,36 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
   return std::isfinite(z) && z > 0 ? z : 0;
 }
 
+float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
+  constexpr int kRadius = 3;
+  constexpr float kLargestStep =
+      0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
+  const float z = depth_at(depth, units_per_metre, x, y);
+  if (z <= 0) return 0;
+  float nearest = z, furthest = z;
+  for (int dy = -kRadius; dy <= kRadius; ++dy) {
+    for (int dx = -kRadius; dx <= kRadius; ++dx) {
+      const float beside = depth_at(depth, units_per_metre, x + dx, y + dy);
+      if (beside <= 0) continue;
+      nearest = std::min(nearest, beside);
+      furthest = std::max(furthest, beside);
+    }
+  }
+  return furthest - nearest <= kLargestStep * z ? z : 0;
+}
+
+namespace {
+
+float median_of_positive(std::vector<float> values, float otherwise) {
+  std::erase_if(values, [](float value) { return value <= 0; });
+  if (values.empty()) return otherwise;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
 FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth,
                              double scale_factor, int levels, const Pyramid* pyramid)
     : keypoints_(std::move(features.keypoints)),
@@ -20,12 +50,14 @@ FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::
   depths_.reserve(count);
   for (const Keypoint& keypoint : keypoints_) {
     pixels_.push_back(camera.undistort({keypoint.x, keypoint.y}).cast<float>());
-    depths_.push_back(depth_at(depth, camera.depth_units_per_metre, static_cast<int>(std::lround(keypoint.x)),
-                               static_cast<int>(std::lround(keypoint.y))));
+    depths_.push_back(surface_depth_at(depth, camera.depth_units_per_metre,
+                                       static_cast<int>(std::lround(keypoint.x)),
+                                       static_cast<int>(std::lround(keypoint.y))));
   }
   for (int level = 0; level < levels; ++level) {
     scales_.push_back(static_cast<float>(std::pow(scale_factor, level)));
   }
+  usual_depth_ = median_of_positive(depths_, 1);
   build_index(camera);
   if (pyramid != nullptr) cut_patches(*pyramid);
 }

@@ -32,7 +32,7 @@ class FrameFeatures {
   const Descriptor& descriptor(int i) const { return descriptors_[i]; }
   /// Ideal pixel.
   const Eigen::Vector2f& pixel(int i) const { return pixels_[i]; }
-  /// z in the camera frame [m]; 0: missing.
+  /// z in the camera frame [m]; 0: missing or not sure.
   float depth(int i) const { return depths_[i]; }
   /// Level-0 pixels per pixel of a pyramid level.
   float scale(int level) const { return scales_[level]; }
@@ -40,6 +40,8 @@ class FrameFeatures {
   int levels() const { return static_cast<int>(scales_.size()); }
   float log_scale_factor() const { return log_scale_factor_; }
   const std::vector<Keypoint>& keypoints() const { return keypoints_; }
+  /// The median of the depths; 1 if there is none.
+  float usual_depth() const { return usual_depth_; }
   int count(KeypointQuality quality) const;
   /// The keypoint's surroundings on its level, or null.
   const Patch* patch(int i) const { return patches_.empty() ? nullptr : &patches_[i]; }
@@ -83,6 +85,7 @@ class FrameFeatures {
   std::vector<Descriptor> descriptors_;
   std::vector<Eigen::Vector2f> pixels_;
   std::vector<float> depths_;
+  float usual_depth_ = 1;
   std::vector<Patch> patches_;
   std::vector<float> scales_;
   float log_scale_factor_ = 0;
@@ -94,5 +97,10 @@ class FrameFeatures {
 
 /// Depth [m] at a pixel of a registered depth image; 0 where missing, not finite or outside.
 float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y);
+
+/// The same where the pixels around lie on one surface; 0 at the edges of things. There the depth image,
+/// taken some milliseconds before or after the colour image and a pixel or more beside it, cannot tell which
+/// of the two surfaces the corner belongs to.
+float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y);
 
 }  // namespace stdc

@@ -1,7 +1,5 @@
 #include "map/keyframe.hpp"
 
-#include <algorithm>
-
 namespace stdc {
 
 Measurement measure(const Camera& camera, const CameraMotion& motion, const Eigen::Vector2f& seen, float z,
@@ -18,23 +16,22 @@ Measurement measure(const Camera& camera, const CameraMotion& motion, const Eige
 
 std::vector<Measurement> measure_keypoints(const Camera& camera, const CameraMotion& motion,
                                            const FrameFeatures& features) {
-  std::vector<float> depths;
-  for (int i = 0; i < features.size(); ++i) {
-    if (features.depth(i) > 0) depths.push_back(features.depth(i));
-  }
-  float usual = 1;
-  if (!depths.empty()) {
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), middle, depths.end());
-    usual = *middle;
-  }
   std::vector<Measurement> measurements(features.size());
   for (int i = 0; i < features.size(); ++i) {
-    const float depth = features.depth(i);
-    measurements[i] =
-        measure(camera, motion, features.pixel(i), depth > 0 ? depth : usual, depth, features.scale_of(i));
+    measurements[i].seen = features.pixel(i);
+    measurements[i].scale = features.scale_of(i);
   }
+  measure_again(camera, motion, features, measurements);
   return measurements;
+}
+
+void measure_again(const Camera& camera, const CameraMotion& motion, const FrameFeatures& features,
+                   std::vector<Measurement>& measurements) {
+  for (int i = 0; i < features.size(); ++i) {
+    const float depth = features.depth(i);
+    Measurement& m = measurements[i];
+    m = measure(camera, motion, m.seen, depth > 0 ? depth : features.usual_depth(), depth, m.scale);
+  }
 }
 
 }  // namespace stdc

@@ -34,6 +34,10 @@ Measurement measure(const Camera& camera, const CameraMotion& motion, const Eige
 std::vector<Measurement> measure_keypoints(const Camera& camera, const CameraMotion& motion,
                                            const FrameFeatures& features);
 
+/// The same for measurements whose `seen` and `scale` are known: the motion is known better now.
+void measure_again(const Camera& camera, const CameraMotion& motion, const FrameFeatures& features,
+                   std::vector<Measurement>& measurements);
+
 /// A frame that is kept in the map.
 struct Keyframe {
   KeyframeId id;

@@ -14,7 +14,7 @@ struct CloseCounts {
 CloseCounts count_close(const TrackedFrame& frame, double close_depth) {
   CloseCounts counts;
   for (int i = 0; i < frame.features->size(); ++i) {
-    const float z = frame.features->depth(i);
+    const float z = frame.measurements[i].depth;
     if (z <= 0 || z > close_depth) continue;
     ++(frame.landmarks[i].valid() ? counts.tracked : counts.untracked);
   }
@@ -60,10 +60,10 @@ KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& 
   for (int i = 0; i < features.size(); ++i) {
     LandmarkId& landmark = frame.landmarks[i];
     if (landmark.valid() && (!map.has(landmark) || !map.observe(keyframe, i, landmark))) landmark = {};
-    if (!landmark.valid() && features.depth(i) > 0) free_with_depth.push_back(i);
+    if (!landmark.valid() && frame.measurements[i].depth > 0) free_with_depth.push_back(i);
   }
   std::stable_sort(free_with_depth.begin(), free_with_depth.end(),
-                   [&](int a, int b) { return features.depth(a) < features.depth(b); });
+                   [&](int a, int b) { return frame.measurements[a].depth < frame.measurements[b].depth; });
   const Pose world_from_cam = frame.cam_from_world.inverse();
   const auto aligned = static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
   for (std::size_t rank = 0; rank < free_with_depth.size(); ++rank) {

@@ -28,14 +28,15 @@ struct TrackedFrame {
   TrackedFrame(const Camera& camera, int frame_index, double time,
                std::shared_ptr<const FrameFeatures> frame_features)
       : index(frame_index), timestamp(time), features(std::move(frame_features)) {
-    set_motion(camera, CameraMotion(camera, Vector6d::Zero()));
+    motion = CameraMotion(camera, Vector6d::Zero());
+    measurements = measure_keypoints(camera, motion, *features);
     landmarks.resize(features->size());
     outlier.resize(features->size(), 0);
   }
-  /// Measures all keypoints anew.
-  void set_motion(const Camera& camera, const CameraMotion& camera_motion) {
-    motion = camera_motion;
-    measurements = measure_keypoints(camera, motion, *features);
+  /// Takes another motion out of the measurements. `twist`: of cam_from_world, per second.
+  void set_motion(const Camera& camera, const Vector6d& twist) {
+    motion = CameraMotion(camera, twist);
+    if (motion.readout_time != 0) measure_again(camera, motion, *features, measurements);
   }
 };
 

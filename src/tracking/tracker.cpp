@@ -18,7 +18,7 @@ bool Tracker::track(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyr
     matches = track_reference(frame, map);
   times_.prediction = watch.lap_ms();
   if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion) return false;
-  frame.set_motion(camera_, CameraMotion(camera_, velocity_to(frame)));
+  frame.set_motion(camera_, velocity_to(frame));
   const bool tracked =
       refine(frame, map, pyramid, std::move(matches), settings_.local_map_radius, settings_.minimum_inliers);
   times_.local_map = watch.lap_ms();
@@ -30,9 +30,24 @@ Pose Tracker::predict(double timestamp) const {
   return Pose::exp(velocity_ * (timestamp - last_->timestamp)) * last_->cam_from_world;
 }
 
+/// A camera in a hand keeps its velocity but for an acceleration that is as likely one way as the other (the
+/// white-noise-on-acceleration prior; Barfoot, State Estimation for Robotics, ch. 11). It decides where a
+/// blurred frame shows little, and hardly matters where a sharp one shows much.
+PosePrior Tracker::motion_prior(const TrackedFrame& frame) const {
+  if (!last_ || !velocity_known_) return {};
+  const double dt = frame.timestamp - last_->timestamp;
+  PosePrior prior;
+  prior.cam_from_world = predict(frame.timestamp);
+  const double translation = settings_.acceleration_sigma * dt * dt;
+  const double rotation = settings_.angular_acceleration_sigma * dt * dt;
+  prior.information.diagonal().head<3>().setConstant(1 / (translation * translation));
+  prior.information.diagonal().tail<3>().setConstant(1 / (rotation * rotation));
+  return prior;
+}
+
 std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& map) const {
   frame.cam_from_world = predict(frame.timestamp);
-  frame.set_motion(camera_, CameraMotion(camera_, velocity_));
+  frame.set_motion(camera_, velocity_);
   std::vector<FrameMatch> matches;
   // Where the prediction was wrong (a jerk, a blurred stretch), look further.
   for (const double widening : {1.0, 2.5}) {
@@ -44,7 +59,7 @@ std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMa
 
 std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const LocalMap& map) const {
   frame.cam_from_world = last_->cam_from_world;
-  frame.set_motion(camera_, CameraMotion(camera_, Vector6d::Zero()));
+  frame.set_motion(camera_, Vector6d::Zero());
   return optimise(frame, match_reference(map, *frame.features, settings_));
 }
 
@@ -52,7 +67,7 @@ std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const Loca
 std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const {
   const std::vector<PoseObservation> observations = make_observations(frame, matches);
   const PoseOptimisationResult result =
-      optimise_pose(camera_, observations, frame.cam_from_world, noise_, optimisation_);
+      optimise_pose(camera_, observations, frame.cam_from_world, noise_, optimisation_, motion_prior(frame));
   if (!result.usable) return {};
   frame.cam_from_world = result.cam_from_world;
   std::size_t kept = 0;
@@ -78,6 +93,10 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& py
   // corners.
   align_matches(camera_, noise_, map, pyramid, inliers, frame);
   inliers = optimise(frame, std::move(inliers));
+  if (last_ && frame.motion.readout_time != 0) {
+    frame.set_motion(camera_, velocity_to(frame));
+    inliers = optimise(frame, std::move(inliers));
+  }
   std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
   std::fill(frame.outlier.begin(), frame.outlier.end(), 0);
   for (const FrameMatch& match : matches) frame.outlier[match.keypoint] = 1;
@@ -115,6 +134,7 @@ Vector6d Tracker::velocity_to(const TrackedFrame& frame) const {
 }
 
 void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world) {
+  velocity_known_ = last_.has_value();
   velocity_ = velocity_to(frame);
   last_ = frame;
   last_reference_ = reference;

@@ -52,6 +52,7 @@ class Tracker {
   std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& map) const;
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
+  PosePrior motion_prior(const TrackedFrame& frame) const;
   void count(const LocalMap& map, const std::vector<int>& visible, const std::vector<FrameMatch>& inliers);
 
   struct Count {
@@ -67,6 +68,7 @@ class Tracker {
   KeyframeId last_reference_;
   Pose last_from_reference_;
   Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
+  bool velocity_known_ = false;
   std::vector<Count> counts_;
   TrackerTimes times_;
 };

@@ -23,6 +23,8 @@ struct TrackingSettings {
   double parallax_ratio = 0.12;
   double longest_gap = 1.0;
   int local_keyframes = 60;
+  double acceleration_sigma = 6;
+  double angular_acceleration_sigma = 20;
 
   template <typename Self, typename Visit>
   static void describe(Self& self, Visit&& visit) {
@@ -68,6 +70,12 @@ struct TrackingSettings {
     visit(Setting{"longest_gap", "s", "Longest time between keyframes while landmarks are being lost", 0.05,
                   60},
           self.longest_gap);
+    visit(Setting{"acceleration_sigma", "m/s^2", "Usual acceleration of the camera, for the motion prior",
+                  0.01, 1e6},
+          self.acceleration_sigma);
+    visit(Setting{"angular_acceleration_sigma", "rad/s^2", "Usual angular acceleration of the camera", 0.01,
+                  1e6},
+          self.angular_acceleration_sigma);
     visit(Setting{"local_keyframes", "count", "Most keyframes of the local map", 2, 1000},
           self.local_keyframes);
   }
