@@ -4,9 +4,12 @@
 #include <opencv2/core.hpp>
 
 #include "rendering/camera_motion.hpp"
+#include "rendering/cast.hpp"
 #include "rendering/colour_sensor.hpp"
 #include "rendering/depth_sensor.hpp"
+#include "rendering/director.hpp"
 #include "rendering/film_exposer.hpp"
+#include "rendering/prop_shapes.hpp"
 #include "rendering/room.hpp"
 
 namespace stdc {
@@ -16,6 +19,7 @@ constexpr double kFirstTimestamp = 1000;   // [s]
 constexpr double kBlurSeconds = 1.0 / 60;  // exposure time with motion blur
 constexpr int kBlurSamples = 6;
 constexpr float kExposure = 1.55F;
+constexpr double kPlannedSeconds = 600;  // people stand still after that
 
 MotionKind motion_of(Preset preset) {
   switch (preset) {
@@ -46,6 +50,43 @@ double seconds_of(Preset preset) {
     default:
       return 30;
   }
+}
+
+bool has_walkers(Preset preset) {
+  return preset == Preset::walking_xyz || preset == Preset::walking_halfsphere ||
+         preset == Preset::walking_rpy || preset == Preset::walking_static;
+}
+
+Person make_person(int number, std::uint64_t seed, Route route) {
+  const PersonLook look = random_look(number, seed);
+  return {look, BodyPlan(look.measures), std::move(route)};
+}
+
+Cast walkers(const Room& room, const BakedLight& light, std::uint64_t seed) {
+  std::vector<Person> people;
+  int number = 0;
+  for (Route& route : direct_walkers(kPlannedSeconds, seed))
+    people.push_back(make_person(number++, seed, std::move(route)));
+  return {room.world, light, std::move(people), {}};
+}
+
+Cast box_carrier(const Room& room, const BakedLight& light, std::uint64_t seed) {
+  BoxPlay play = direct_box_carrier(kPlannedSeconds, seed);
+  std::vector<Person> people;
+  people.push_back(make_person(0, seed, std::move(play.route)));
+  std::vector<Prop> props;
+  props.push_back(carried_box(room, people[0].motion));
+  props.push_back(pushed_chair(room, people[0].motion, play.chair_start));
+  return {room.world, light, std::move(people), std::move(props)};
+}
+
+/// Nobody, if the preset or the settings want nobody.
+std::optional<Cast> make_cast(Preset preset, const RenderSettings& settings, const Room& room,
+                              const BakedLight& light) {
+  if (!settings.with_people) return std::nullopt;
+  if (has_walkers(preset)) return walkers(room, light, settings.seed);
+  if (preset == Preset::moving_box) return box_carrier(room, light, settings.seed);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -80,6 +121,7 @@ class RenderedSequence::Studio {
         scene(room.world.mesh, TreeQuality::good),
         light(room.world, scene),
         shader(room.world, light),
+        cast(make_cast(preset, settings, room, light)),
         rays(checked(camera)),
         exposer(rays, scene, shader),
         depth_sensor(camera) {}
@@ -91,14 +133,18 @@ class RenderedSequence::Studio {
 
   double time(int index) const { return index / camera.frames_per_second; }
 
+  Film expose_instant(double t) const {
+    const std::unique_ptr<MovingThings> moving = cast ? cast->at(t) : nullptr;
+    return exposer.expose(motion.world_from_cam(t), moving.get());
+  }
+
   Film expose(int index) const {
-    if (!settings.motion_blur) return exposer.expose(motion.world_from_cam(time(index)), nullptr);
-    Film film = exposer.expose(motion.world_from_cam(time(index)), nullptr);
+    Film film = expose_instant(time(index));
+    if (!settings.motion_blur) return film;
     film.colour.setTo(0);
     for (int i = 0; i < kBlurSamples; ++i) {
       const double shift = kBlurSeconds * ((i + 0.5) / kBlurSamples - 0.5);
-      const Pose pose = motion.world_from_cam(std::max(0.0, time(index) + shift));
-      film.colour += exposer.expose(pose, nullptr).colour * (1.0F / kBlurSamples);
+      film.colour += expose_instant(std::max(0.0, time(index) + shift)).colour * (1.0F / kBlurSamples);
     }
     return film;
   }
@@ -111,6 +157,7 @@ class RenderedSequence::Studio {
   const RayScene scene;
   const BakedLight light;
   const SurfaceShader shader;
+  const std::optional<Cast> cast;
   const RayGrid rays;
   const FilmExposer exposer;
   const ColourSensor colour_sensor;

@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kW = RoomPlan::kHalfWidth, kD = RoomPlan::kHalfDepth, kH = RoomPlan::kHeight;
 constexpr double kQuarter = std::numbers::pi / 2;
+constexpr int kBoxDesk = 0;  // the workplace with room for a box
 
 // Frames of the walls: origin at the middle of the wall's foot, x to the right for who looks at it, -y into
 // the room.
@@ -197,14 +198,16 @@ void add_workplace(ShapeBuilder& b, const RoomMaterials& m, const Pose& at, int 
   add_pen_holder(b, m, random);
   put(0.4, -0.12, random.uniform(-1, 1));
   add_mug(b, m, random);
-  put(-0.55, 0.2, random.uniform(-0.4, 0.4));
+  put(-0.55, 0.27, random.uniform(-0.4, 0.4));
   if (number % 2 == 0) {
     add_book_pile(b, m, 5, random);
   } else {
     add_desk_lamp(b, m);
   }
-  put(-0.55, -0.22, random.uniform(-0.4, 0.4));
-  add_book_pile(b, m, 2, random);
+  if (number != kBoxDesk) {  // there a box is set down in one of the presets
+    put(-0.55, -0.22, random.uniform(-0.4, 0.4));
+    add_book_pile(b, m, 2, random);
+  }
   put(0.62, -0.22, random.uniform(-0.4, 0.4));
   add_tin(b, m, random);
   put(0.2, 0.32, random.uniform(-0.4, 0.4));
@@ -225,9 +228,9 @@ void add_island(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
   add_workplace(b, m, placed(x, north, 0, 2 * kQuarter), 3, random);
   b.world_from_local = placed(0.02, 1.0, kDeskHeight);
   add_fruit_bowl(b, m);
-  b.world_from_local = placed(-0.75, -0.03, 0, 0.5);
+  b.world_from_local = placed(-0.45, -0.03, 0, 0.5);
   add_office_chair(b, m);  // tucked in
-  b.world_from_local = placed(0.7, 2.05, 0, 2.8);
+  b.world_from_local = placed(0.7, 1.95, 0, 2.8);
   add_office_chair(b, m);
   b.world_from_local = placed(-2.1, -1.75, 0.003);
   b.rectangle({-0.85, -0.6, 0}, {1.7, 0, 0}, {0, 1.2, 0}, m.rug);
@@ -235,7 +238,7 @@ void add_island(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
 
 }  // namespace
 
-Pose visitor_chair_pose() { return placed(1.75, -0.25, 0, -kQuarter - 0.25); }
+Pose visitor_chair_pose() { return placed(1.25, -0.25, 0, -kQuarter - 0.25); }
 
 Room make_room(std::uint64_t seed, bool with_chair) {
   Room room;

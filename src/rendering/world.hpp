@@ -22,8 +22,7 @@ struct World {
   std::vector<Material> materials;
   Mesh mesh;
   std::vector<AreaLight> lights;
-  Eigen::Vector3d low = Eigen::Vector3d::Zero(),
-                  high = Eigen::Vector3d::Zero();  ///< inner corners of the room
+  Eigen::Vector3f low = Eigen::Vector3f::Zero(), high = Eigen::Vector3f::Zero();  ///< inner corners of the room
 };
 
 }  // namespace stdc

@@ -1,0 +1,201 @@
+#include "rendering/director.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/random.hpp"
+#include "rendering/person_motion.hpp"
+#include "rendering/room.hpp"
+#include "rendering/shapes.hpp"
+
+namespace stdc {
+namespace {
+
+using Eigen::Vector2d;
+
+/// The way round the desks; the first five points lie between the desks and the camera of the walking
+/// presets.
+const std::array<Vector2d, 13> kRing{{{-1.9, -0.75},
+                                      {-0.95, -0.85},
+                                      {0.0, -0.8},
+                                      {0.65, -0.85},
+                                      {1.6, -1.0},
+                                      {2.15, -0.55},
+                                      {2.15, 1.0},
+                                      {2.05, 2.25},
+                                      {1.3, 2.58},
+                                      {0.0, 2.52},
+                                      {-1.3, 2.5},
+                                      {-2.05, 2.2},
+                                      {-2.1, 0.8}}};
+constexpr int kRingSize = 13, kFront = 5;
+constexpr int kNearChair = 3;          // the point of the ring next to the visitors' chair
+constexpr double kApart = 0.62;        // least distance between two people [m]
+constexpr double kBeforeChair = 0.44;  // from the chair's middle to who is about to sit down [m]
+
+int ring_index(int i) { return (i % kRingSize + kRingSize) % kRingSize; }
+
+/// Plans the two walkers together: who is free first plans the next piece against what the other has planned.
+class Walkers {
+ public:
+  explicit Walkers(std::uint64_t seed) : random_(seed, 71) {
+    add(3, std::numbers::pi - 0.3);
+    add(12, 0.2);
+    routes_[0].wait(1.2);
+  }
+
+  std::vector<Route> plan(double seconds) {
+    while (std::min(routes_[0].end(), routes_[1].end()) < seconds) {
+      plan_piece(routes_[0].end() <= routes_[1].end() ? 0 : 1);
+    }
+    return std::move(routes_);
+  }
+
+ private:
+  void add(int place, double yaw) {
+    routes_.emplace_back(Stance{kRing[place], yaw});
+    places_.push_back(place);
+  }
+
+  bool collides(int who, double from) const {
+    const Route &a = routes_[who], &b = routes_[1 - who];
+    const double until = std::max(a.end(), b.end());
+    for (double t = from; t <= until; t += 0.05) {
+      if ((a.at(t).position - b.at(t).position).norm() < kApart) return true;
+    }
+    return false;
+  }
+
+  void plan_piece(int who) {
+    Route& route = routes_[who];
+    const double begin = route.end();
+    const int place = places_[who];
+    constexpr int kTries = 6;
+    for (int i = 0; i < kTries; ++i) {
+      const bool sit = place <= kFront && random_.uniform() < 0.22;
+      if (sit) {
+        sit_down(who);
+      } else {
+        stroll(who);
+      }
+      if (!collides(who, begin)) return;
+      route.cut(begin);
+      places_[who] = place;
+    }
+    route.wait(random_.uniform(0.4, 0.9));
+  }
+
+  void follow_ring(int who, int to, int direction, double speed) {
+    std::vector<Vector2d> points;
+    for (int i = places_[who]; i != to;) {
+      i = ring_index(i + direction);
+      points.push_back(kRing[i] + Vector2d(random_.uniform(-0.06, 0.06), random_.uniform(-0.06, 0.06)));
+    }
+    routes_[who].walk(points, speed);
+    places_[who] = to;
+  }
+
+  void stroll(int who) {
+    // Mostly to and fro before the desks, now and then all the way round.
+    const bool front = random_.uniform() < 0.7;
+    const int to = static_cast<int>(front ? random_.below(kFront) : random_.below(kRingSize));
+    if (to == places_[who]) return pause(who);
+    const int steps = ring_index(to - places_[who]);
+    const int direction = steps <= kRingSize / 2 ? 1 : -1;
+    follow_ring(who, to, random_.uniform() < 0.15 ? -direction : direction, random_.uniform(0.75, 1.15));
+    if (random_.uniform() < 0.65) pause(who);
+  }
+
+  void pause(int who) {
+    Route& route = routes_[who];
+    // To the desks, to the camera, to the other one, or anywhere.
+    const Vector2d to_other = routes_[1 - who].at(route.end()).position - route.last().position;
+    const double yaws[] = {std::numbers::pi, 0, yaw_towards(to_other), random_.uniform(-3, 3)};
+    route.turn(yaws[random_.below(4)] + random_.uniform(-0.4, 0.4));
+    const double begin = route.end();
+    route.wait(random_.uniform(1.6, 4.2));
+    const Act acts[] = {Act::idle, Act::talk, Act::phone, Act::talk};
+    const Act act = acts[random_.below(4)];
+    if (act != Act::idle) route.note(act, begin);
+  }
+
+  void sit_down(int who) {
+    Route& route = routes_[who];
+    if (places_[who] != kNearChair) {
+      follow_ring(who, kNearChair, places_[who] < kNearChair ? 1 : -1, random_.uniform(0.75, 1.0));
+    }
+    const Pose chair = visitor_chair_pose();
+    const Eigen::Vector3d before = chair * Eigen::Vector3d(0, -kBeforeChair, 0);
+    const Eigen::Vector3d axis = chair.rotation * Eigen::Vector3d(0, -1, 0);
+    route.walk({Vector2d(0.62, -0.55), before.head<2>()}, 0.7);
+    route.turn(yaw_towards(axis.head<2>()));
+    route.wait(0.4);
+    const double begin = route.end();
+    route.wait(random_.uniform(5, 9));
+    route.note(Act::sit, begin, chair);
+    route.wait(0.3);
+    route.walk({Vector2d(0.62, -0.55), kRing[kNearChair]}, 0.7);
+  }
+
+  Random random_;
+  std::vector<Route> routes_;
+  std::vector<int> places_;  ///< on the ring
+};
+
+}  // namespace
+
+std::vector<Route> direct_walkers(double seconds, std::uint64_t seed) { return Walkers(seed).plan(seconds); }
+
+BoxPlay direct_box_carrier(double seconds, std::uint64_t seed) {
+  Random random(seed, 72);
+  const Vector2d at_desk(-1.15, -0.15);
+  const Pose box_place = placed(-1.15 + random.uniform(-0.02, 0.02), 0.385, 0.7305,
+                                std::numbers::pi + random.uniform(-0.06, 0.06));
+  BoxPlay play{Route({{-2.6, -1.6}, 2.2}), placed(1.45, -0.62, 0, -std::numbers::pi / 2), {}};
+  Route& route = play.route;
+  double carried_since = 0;
+  for (int round = 0; route.end() < seconds; ++round) {
+    route.walk({{-1.7, -0.85}, {-1.2, -0.6}, at_desk}, random.uniform(0.75, 0.9));
+    route.turn(std::numbers::pi);
+    route.note(Act::carry, carried_since);
+    const double placing = route.end();
+    route.wait(kHandling);
+    route.note(Act::place, placing, box_place);
+    route.wait(0.5);
+    if (round == 0) {  // the chair is pushed along before the desks
+      const double behind = play.chair_start.translation.x() + 0.64, y = play.chair_start.translation.y();
+      route.walk({{-0.9, -0.85}, {0.5, -1.15}, {1.6, -1.3}, {behind + 0.35, -1.0}, {behind + 0.2, y}},
+                 random.uniform(0.9, 1.05));
+      route.turn(-std::numbers::pi / 2);
+      route.walk({{behind, y}}, 0.5);
+      route.turn(-std::numbers::pi / 2);
+      route.wait(0.3);
+      const double pushing = route.end();
+      route.wait(0.7);
+      route.push_ahead(1.0, 0.55);
+      route.wait(0.7);
+      route.note(Act::push, pushing);
+    } else {
+      route.walk({{-0.9, -0.85}, {0.0, -1.05}, {1.3, -1.15}, {1.9, -0.9}}, random.uniform(0.85, 1.0));
+      route.turn(random.uniform(2.4, 3.4));
+    }
+    const double talking = route.end();
+    route.wait(random.uniform(1.5, 2.5));
+    route.note(Act::talk, talking);
+    route.walk({{1.5, -1.2}, {0.3, -1.1}, {-0.9, -0.8}, at_desk}, random.uniform(0.85, 1.0));
+    route.turn(std::numbers::pi);
+    const double picking = route.end();
+    route.wait(kHandling);
+    route.note(Act::pick, picking, box_place);
+    carried_since = route.end();
+    route.walk({{-1.2, -0.7}, {-0.4, -1.0}, {0.6, -1.1}}, random.uniform(0.7, 0.85));
+    route.turn(route.last().yaw + std::numbers::pi * 0.6);
+    route.wait(0.8);
+    route.walk({{-0.3, -1.1}, {-1.5, -1.1}}, random.uniform(0.7, 0.85));
+  }
+  return play;
+}
+
+}  // namespace stdc
