@@ -20,7 +20,7 @@ std::vector<cv::Size> level_sizes(const FeatureSettings& settings, cv::Size imag
   std::vector<cv::Size> sizes{image_size};
   // Pixel x of a level lies at (x + 0.5) * factor - 0.5 <= size - 1 of the level below.
   const auto smaller = [&](int size) {
-    return std::max(1, static_cast<int>((size - 0.5) / settings.scale_factor + 0.5));
+    return std::max(1, static_cast<int>(std::floor((size - 0.5) / settings.scale_factor + 0.5)));
   };
   while (static_cast<int>(sizes.size()) < level_count(settings, image_size)) {
     sizes.emplace_back(smaller(sizes.back().width), smaller(sizes.back().height));
