@@ -33,6 +33,7 @@ const std::array<Vector2d, 13> kRing{{{-1.9, -0.75},
 constexpr int kRingSize = 13, kFront = 5;
 constexpr int kNearChair = 3;          // the point of the ring next to the visitors' chair
 constexpr double kApart = 0.62;        // least distance between two people [m]
+constexpr double kBehindChair = 0.78;  // from the chair's middle to who pushes it [m]
 constexpr double kBeforeChair = 0.44;  // from the chair's middle to who is about to sit down [m]
 
 int ring_index(int i) { return (i % kRingSize + kRingSize) % kRingSize; }
@@ -74,7 +75,7 @@ class Walkers {
     const int place = places_[who];
     constexpr int kTries = 6;
     for (int i = 0; i < kTries; ++i) {
-      const bool sit = place <= kFront && random_.uniform() < 0.22;
+      const bool sit = place <= kFront && random_.uniform() < 0.13;
       if (sit) {
         sit_down(who);
       } else {
@@ -115,7 +116,7 @@ class Walkers {
     const double yaws[] = {std::numbers::pi, 0, yaw_towards(to_other), random_.uniform(-3, 3)};
     route.turn(yaws[random_.below(4)] + random_.uniform(-0.4, 0.4));
     const double begin = route.end();
-    route.wait(random_.uniform(1.6, 4.2));
+    route.wait(random_.uniform(1.4, 3.0));
     const Act acts[] = {Act::idle, Act::talk, Act::phone, Act::talk};
     const Act act = acts[random_.below(4)];
     if (act != Act::idle) route.note(act, begin);
@@ -133,7 +134,7 @@ class Walkers {
     route.turn(yaw_towards(axis.head<2>()));
     route.wait(0.4);
     const double begin = route.end();
-    route.wait(random_.uniform(5, 9));
+    route.wait(random_.uniform(4.5, 7));
     route.note(Act::sit, begin, chair);
     route.wait(0.3);
     route.walk({Vector2d(0.62, -0.55), kRing[kNearChair]}, 0.7);
@@ -165,7 +166,8 @@ BoxPlay direct_box_carrier(double seconds, std::uint64_t seed) {
     route.note(Act::place, placing, box_place);
     route.wait(0.5);
     if (round == 0) {  // the chair is pushed along before the desks
-      const double behind = play.chair_start.translation.x() + 0.64, y = play.chair_start.translation.y();
+      const double behind = play.chair_start.translation.x() + kBehindChair,
+                   y = play.chair_start.translation.y();
       route.walk({{-0.9, -0.85}, {0.5, -1.15}, {1.6, -1.3}, {behind + 0.35, -1.0}, {behind + 0.2, y}},
                  random.uniform(0.9, 1.05));
       route.turn(-std::numbers::pi / 2);

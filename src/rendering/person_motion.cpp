@@ -179,7 +179,7 @@ Pose PersonMotion::held_box(double time) const {
 
 void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyPose& pose) const {
   const double pace = std::min(1.0, route_.speed(time));
-  const double swing = 0.62 * stride / 0.6;
+  const double swing = 0.44 * stride / 0.6;
   const Vector3d up(0, 0, 1), ahead = pose[Bone::chest].rotation * Vector3d(0, -1, 0);
   const Vector3d to_left = pose[Bone::chest].rotation * Vector3d(1, 0, 0);
   for (const bool left : {true, false}) {
@@ -189,7 +189,7 @@ void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyP
     // The arm of one side goes forward (negative about x) with the foot of the other.
     const double back = out * swing + 0.04 * wave(time, 5.9, phase_[left ? 1 : 2]);
     attach(plan_, upper, about_x(back) * about_y(out * 0.30), pose);
-    attach(plan_, lower, about_x(-0.22 - 0.25 * pace - 0.5 * std::max(0.0, -back)), pose);
+    attach(plan_, lower, about_x(-0.2 - 0.1 * pace - 0.45 * std::max(0.0, -back)), pose);
     attach(plan_, static_cast<Bone>(index(upper) + 2), Quaterniond::Identity(), pose);
     const Vector3d elbow_out = -up + 0.4 * out * to_left - 0.3 * ahead;
     switch (now.act) {
@@ -202,9 +202,9 @@ void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyP
         break;
       }
       case Act::phone:
-        if (!left) {
-          const Vector3d ear = pose[Bone::head] * (plan_.scale() * Vector3d(-0.12, -0.03, -0.01));
-          move_arm(false, ear, elbow_out, now.amount, pose);
+        if (!left) {  // the hand reaches from before the shoulder up to the ear
+          const Vector3d before = pose[upper].translation + 0.06 * up + 0.15 * ahead - 0.01 * to_left;
+          move_arm(false, before, elbow_out, now.amount, pose);
         }
         break;
       case Act::talk: {
@@ -224,8 +224,10 @@ void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyP
         break;
       }
       case Act::push: {
-        const Vector3d rest =
-            pose[Bone::pelvis].translation + 0.42 * ahead + out * 0.17 * to_left + 0.06 * up;
+        const Eigen::Vector2d way = forward(route_.at(time).yaw);
+        Vector3d rest =
+            pose[Bone::pelvis].translation + 0.37 * Vector3d(way.x(), way.y(), 0) + out * 0.16 * to_left;
+        rest.z() = kSeatHeight + 0.61;  // on the back rest
         move_arm(left, rest, elbow_out, now.amount, pose);
         break;
       }

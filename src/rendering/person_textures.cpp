@@ -20,16 +20,20 @@ constexpr float kPrintLow = 1.14F, kPrintSide = 0.26F;  // the picture on the ch
 double face_u(double x) { return 0.5 + std::atan2(x, 0.112) / (2 * std::numbers::pi); }
 double face_v(double z) { return (kHeadLow + kHeadSpan - z) / kHeadSpan; }
 
-Paint skin_paint(Random& random) {
-  static constexpr std::array<Paint, 5> kTones{
-      Paint{232, 190, 165}, {219, 170, 138}, {200, 148, 112}, {164, 112, 80}, {120, 80, 56}};
-  return scaled(kTones[random.below(kTones.size())], random.uniform(0.95, 1.05));
-}
+struct Complexion {
+  Paint skin, hair;
+};
 
-Paint hair_paint(Random& random) {
-  static constexpr std::array<Paint, 5> kTones{
-      Paint{38, 28, 22}, {72, 48, 30}, {112, 78, 46}, {176, 138, 84}, {112, 108, 104}};
-  return kTones[random.below(kTones.size())];
+/// Fair hair goes with fair skin, dark hair with any.
+Complexion draw_complexion(Random& random) {
+  static constexpr std::array<Paint, 5> kSkins{
+      Paint{232, 190, 165}, {219, 170, 138}, {200, 148, 112}, {164, 112, 80}, {120, 80, 56}};
+  static constexpr std::array<Paint, 5> kHairs{
+      Paint{38, 28, 22}, {60, 42, 30}, {104, 74, 46}, {168, 130, 80}, {124, 120, 116}};
+  const std::uint32_t tone = random.below(kSkins.size());
+  const std::uint32_t shades = tone < 2 ? 5 : (tone == 2 ? 3 : 1);
+  const Paint skin = scaled(kSkins[tone], random.uniform(0.95, 1.05));
+  return {skin, scaled(kHairs[random.below(shades)], random.uniform(0.85, 1.15))};
 }
 
 cv::Mat skin_texture(const Paint& skin, Random& random) {
@@ -117,7 +121,17 @@ cv::Mat stripes(const Paint& a, const Paint& b, Random& random) {
   return c.image();
 }
 
-cv::Mat top_texture(Random& random) {
+/// Plain cloth with the small unevenness of yarn.
+cv::Mat jersey(const Paint& a, Random& random) {
+  Canvas c(256, 256, a);
+  c.modulate(fractal_noise(256, 256, 5, 5, 4, random.next()), 0.12);
+  c.modulate(fractal_noise(256, 256, 128, 32, 1, random.next()), 0.08);
+  c.grain(4, random);
+  return c.image();
+}
+
+cv::Mat top_texture(Random& random, bool* is_plain) {
+  *is_plain = false;
   const Paint a = hue_paint(random.uniform(), random.uniform(0.2, 0.7), random.uniform(0.3, 0.85));
   const Paint b = hue_paint(random.uniform(), random.uniform(0.3, 0.7), random.uniform(0.2, 0.6));
   switch (random.below(4)) {
@@ -126,7 +140,8 @@ cv::Mat top_texture(Random& random) {
     case 1:
       return stripes(a, b, random);
     default:
-      return fabric_texture(a, random.next());
+      *is_plain = true;
+      return jersey(a, random);
   }
 }
 
@@ -160,8 +175,9 @@ cv::Mat print_texture(const cv::Mat& cloth, Random& random) {
 
 PersonTextures::PersonTextures(const PersonLook& look) : height_(static_cast<float>(look.measures.height)) {
   Random random(look.seed, 41);
-  const Paint skin = skin_paint(random), hair = hair_paint(random);
-  const cv::Mat top = top_texture(random);
+  const auto [skin, hair] = draw_complexion(random);
+  bool plain = false;
+  const cv::Mat top = top_texture(random, &plain);
   const Paint shoe = random.below(2) == 0 ? Paint{40, 36, 34} : hue_paint(random.uniform(), 0.5, 0.5);
   textures_.emplace_back(skin_texture(skin, random));
   textures_.emplace_back(head_texture(look, skin, hair, random));
@@ -170,7 +186,7 @@ PersonTextures::PersonTextures(const PersonLook& look) : height_(static_cast<flo
   textures_.emplace_back(trousers_texture(random));
   textures_.emplace_back(plain_texture(shoe, random.next()));
   textures_.emplace_back(plain_texture({205, 202, 196}, random.next()));
-  if (top.cols == 256 && random.below(3) != 0) print_.emplace_back(print_texture(top, random));
+  if (plain && random.below(3) != 0) print_.emplace_back(print_texture(top, random));
 }
 
 Rgb PersonTextures::round(const Texture& texture, const Vector3f& at_rest, float seen) const {

@@ -21,7 +21,10 @@ Vector2d aim(const std::vector<Vector2d>& way, const Vector2d& p, double distanc
     const Vector2d d = way[i + 1] - way[i];
     return std::clamp((p - way[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
   };
-  while (*piece + 2 < way.size() && along(*piece) >= 1) ++*piece;
+  const auto passed = [&](std::size_t i) {
+    return along(i) >= 1 || (way[i + 1] - p).norm() < 0.6 * distance;
+  };
+  while (*piece + 2 < way.size() && passed(*piece)) ++*piece;
   std::size_t i = *piece;
   Vector2d at = way[i] + along(i) * (way[i + 1] - way[i]);
   while (true) {
