@@ -8,6 +8,7 @@ namespace stdc::app {
 // stdc::Error for whatever the user can mend (exit code 2).
 void add_evaluate_command(CLI::App& app);
 void add_features_command(CLI::App& app);
+void add_render_command(CLI::App& app);
 void add_run_command(CLI::App& app);
 void add_settings_command(CLI::App& app);
 

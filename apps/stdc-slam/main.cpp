@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   stdc::app::add_run_command(app);
   stdc::app::add_evaluate_command(app);
   stdc::app::add_features_command(app);
+  stdc::app::add_render_command(app);
   stdc::app::add_settings_command(app);
   try {
     app.parse(argc, argv);
