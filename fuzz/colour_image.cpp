@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const cv::Size image_size(40, 24);

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/image_codec.hpp"
 #include "core/random.hpp"
-#include "datasets/image_codec.hpp"
 
 namespace {
 

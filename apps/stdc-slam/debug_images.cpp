@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 #include "run_record.hpp"
 
 namespace stdc::app {

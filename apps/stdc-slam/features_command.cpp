@@ -11,7 +11,7 @@
 
 #include "commands.hpp"
 #include "core/error.hpp"
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 #include "datasets/tum_sequence.hpp"
 #include "debug_images.hpp"
 #include "features/extractor.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/random.hpp"
 #include "datasets/camera_file.hpp"
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 #include "datasets/test_folder.hpp"
 
 namespace stdc::testing {

@@ -13,7 +13,7 @@ TEST(CameraMotion, SeesAPointWhereARowByRowSearchDoes) {
   const CameraMotion motion(camera, twist);
   for (const Eigen::Vector3d& point : {Eigen::Vector3d(0.2, -0.5, 1.5), Eigen::Vector3d(-0.7, 0.6, 2.0)}) {
     // The row at which the true (not linearised) motion puts the point on the row being read.
-    Eigen::Vector2d seen;
+    Eigen::Vector2d seen(0, 0);
     double least = 1e9;
     for (double row = 0; row < 480; row += 0.01) {
       const Eigen::Vector2d pixel = camera.project(Pose::exp(twist * motion.row_time(row)) * point);

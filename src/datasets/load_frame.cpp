@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 #include "datasets/text_file.hpp"
 #include "datasets/tum_sequence.hpp"
 

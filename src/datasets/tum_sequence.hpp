@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "core/image_codec.hpp"
 #include "core/rgbd_image.hpp"
-#include "datasets/image_codec.hpp"
 #include "datasets/trajectory.hpp"
 
 namespace stdc {

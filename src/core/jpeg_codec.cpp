@@ -6,7 +6,7 @@
 #include <csetjmp>
 #include <cstdlib>
 
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 
 namespace stdc {
 namespace {

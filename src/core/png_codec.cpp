@@ -6,7 +6,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 
 namespace stdc {
 namespace {

@@ -1,4 +1,4 @@
-#include "datasets/image_codec.hpp"
+#include "core/image_codec.hpp"
 
 namespace stdc {
 
