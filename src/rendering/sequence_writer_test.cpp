@@ -4,8 +4,9 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
+
+#include "core/image_codec.hpp"
 
 namespace stdc {
 namespace {
@@ -35,6 +36,12 @@ class SequenceWriterTest : public testing::Test {
     content << file.rdbuf();
     return content.str();
   }
+  static cv::Mat image(const fs::path& path, bool depth = false) {
+    const std::string file = text(path);
+    const Bytes bytes(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
+    return (depth ? decode_depth(bytes, {80, 64}) : decode_colour(bytes, {80, 64}, ColourMode::as_stored))
+        .image;
+  }
   static bool empty_but_for(const fs::path& folder, int count) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == count;
   }
@@ -57,11 +64,11 @@ TEST_F(SequenceWriterTest, WritesTheTumLayout) {
                       "1.000000000"),
             std::string::npos);
   EXPECT_NE(text(out / "camera.yaml").find("fx: 525\n"), std::string::npos);
-  const cv::Mat depth = cv::imread((out / "depth/10.500000.png").string(), cv::IMREAD_UNCHANGED);
+  const cv::Mat depth = image(out / "depth/10.500000.png", true);
   ASSERT_EQ(depth.type(), CV_16UC1);
   EXPECT_EQ(depth.at<std::uint16_t>(5, 5), 5040);
-  EXPECT_EQ(cv::imread((out / "rgb/10.250000.png").string()).at<cv::Vec3b>(3, 3), cv::Vec3b(20, 2, 3));
-  EXPECT_EQ(cv::imread((out / "mask/10.250000.png").string(), cv::IMREAD_UNCHANGED).type(), CV_8UC1);
+  EXPECT_EQ(image(out / "rgb/10.250000.png").at<cv::Vec3b>(3, 3), cv::Vec3b(20, 2, 3));
+  EXPECT_EQ(image(out / "mask/10.250000.png").type(), CV_8UC1);
   EXPECT_TRUE(empty_but_for(out.parent_path(), 1));  // nothing left beside it
 }
 
@@ -91,7 +98,7 @@ TEST_F(SequenceWriterTest, ReplacesASequenceOnlyWhenTold) {
     writer.write(0, frame(1, shade));
     writer.finish();
   }
-  EXPECT_EQ(cv::imread((out / "rgb/1.000000.png").string()).at<cv::Vec3b>(0, 0)[0], 60);
+  EXPECT_EQ(image(out / "rgb/1.000000.png").at<cv::Vec3b>(0, 0)[0], 60);
   EXPECT_THROW(SequenceWriter(out, Camera(), 1, false), Error);
 }
 
