@@ -10,17 +10,18 @@
 
 namespace {
 
-constexpr int kImages = 14;    // of 1000 keypoints each
-constexpr int kTests = 40000;  // to choose from
+constexpr std::uint64_t kImages = 14;  // of 1000 keypoints each
+constexpr int kTests = 40000;          // to choose from
 // Of 2, 4, 6 and 8 px: less makes descriptors of the same point differ more, more makes those of others more
 // alike.
 constexpr double kNearest = 4;
-constexpr int kSeed = 100;
+constexpr std::uint64_t kSeed = 100;
 
 std::vector<cv::Mat> pictures() {
   std::vector<cv::Mat> images;
-  for (int i = 0; i < kImages; ++i) {
-    images.push_back(stdc::dead_leaves({640, 480}, static_cast<std::uint64_t>(kSeed + i)));
+  images.reserve(kImages);
+  for (std::uint64_t i = 0; i < kImages; ++i) {
+    images.push_back(stdc::dead_leaves({640, 480}, kSeed + i));
   }
   return images;
 }

@@ -22,7 +22,8 @@ constexpr std::size_t kBatch = 64;  // keypoints
 
 bool in_disc(int x, int y) { return x * x + y * y <= kBriefRadius * kBriefRadius; }
 std::size_t cell(int x, int y) {
-  return static_cast<std::size_t>((y + kBriefRadius) * kSide + x + kBriefRadius);
+  const int index = (y + kBriefRadius) * kSide + x + kBriefRadius;
+  return static_cast<std::size_t>(index);
 }
 
 std::vector<BriefTest> draw_tests(int count, double nearest, std::uint64_t seed) {

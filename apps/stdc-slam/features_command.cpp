@@ -83,6 +83,7 @@ std::vector<Row> measure_frames(const Options& options) {
   const Camera camera = find_camera(sequence, options.camera);
   const std::vector<int> frames = chosen_frames(options, sequence);
   std::vector<FeatureExtractor> extractors;
+  extractors.reserve(kSelections.size());
   for (const Selection selection : kSelections) {
     extractors.emplace_back(FeatureSettings{.selection = selection, .keypoints = options.keypoints});
   }

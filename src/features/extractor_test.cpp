@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <numbers>
 
@@ -21,7 +20,8 @@ bool same(const Features& a, const Features& b) {
   if (a.keypoints.size() != b.keypoints.size() || a.descriptors != b.descriptors) return false;
   for (std::size_t i = 0; i < a.keypoints.size(); ++i) {
     const Keypoint &p = a.keypoints[i], &q = b.keypoints[i];
-    if (std::memcmp(&p.x, &q.x, 4 * sizeof(float)) != 0 || p.level != q.level || p.quality != q.quality)
+    if (p.x != q.x || p.y != q.y || p.angle != q.angle || p.response != q.response || p.level != q.level ||
+        p.quality != q.quality)
       return false;
   }
   return true;
