@@ -14,9 +14,9 @@ endif()
 
 # stdc_add_layer(NAME DEPENDS target...)
 # Makes the library stdc_NAME of the .cpp files in this folder, and the test program stdc_NAME_test of its
-# *_test.cpp files.
+# *_test.cpp files. ONE_TEST: CTest runs the program as a whole, for tests that share something dear.
 function(stdc_add_layer name)
-  cmake_parse_arguments(LAYER "" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(LAYER "ONE_TEST" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
@@ -31,6 +31,10 @@ function(stdc_add_layer name)
   if(STDC_BUILD_TESTS AND tests)
     add_executable(stdc_${name}_test ${tests})
     target_link_libraries(stdc_${name}_test PRIVATE stdc_${name} ${LAYER_TEST_DEPENDS} GTest::gtest_main)
-    gtest_discover_tests(stdc_${name}_test DISCOVERY_TIMEOUT 120)
+    if(LAYER_ONE_TEST)
+      add_test(NAME ${name} COMMAND stdc_${name}_test)
+    else()
+      gtest_discover_tests(stdc_${name}_test DISCOVERY_TIMEOUT 120)
+    endif()
   endif()
 endfunction()

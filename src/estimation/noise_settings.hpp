@@ -14,8 +14,8 @@ namespace stdc {
 /// sigmas grown with the scale gave poses that were 2 to 4 % worse at sigmas twice the sensor's, and at best
 /// 5 % better for a sensor of 0.0015 /m taken at its word.
 struct NoiseSettings {
-  double pixel_sigma = 1.0;
-  double aligned_pixel_sigma = 0.5;
+  double pixel_sigma = 0.8;
+  double aligned_pixel_sigma = 0.4;
   double inverse_depth_sigma = 0.01;
 
   template <typename Self, typename Visit>

@@ -7,10 +7,10 @@ namespace stdc {
 /// Settings of the tracker: matching, and when a frame becomes a keyframe.
 struct TrackingSettings {
   int initial_landmarks = 100;
-  double search_radius = 12;
-  double local_map_radius = 4;
+  double search_radius = 15;
+  double local_map_radius = 6;
   int match_distance = 64;
-  int loose_match_distance = 100;
+  int loose_match_distance = 75;
   double best_to_second = 0.8;
   int minimum_inliers_motion = 12;
   int minimum_inliers = 25;
@@ -24,7 +24,7 @@ struct TrackingSettings {
   double longest_gap = 1.0;
   int local_keyframes = 60;
   double acceleration_sigma = 6;
-  double angular_acceleration_sigma = 20;
+  double angular_acceleration_sigma = 40;
 
   template <typename Self, typename Visit>
   static void describe(Self& self, Visit&& visit) {
