@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "core/image_codec.hpp"
 #include "core/random.hpp"
 #include "datasets/camera_file.hpp"
-#include "core/image_codec.hpp"
 #include "datasets/test_folder.hpp"
 
 namespace stdc::testing {
@@ -49,8 +49,8 @@ inline void write_test_sequence(const TestFolder& folder, const std::string& nam
     cv::warpAffine(texture, grey, image_to_texture, {camera.width, camera.height},
                    cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
     cv::cvtColor(grey, colour, cv::COLOR_GRAY2BGR);
-    folder.write(fmt::format("{}/rgb/{}.png", name, i), encode_png(colour, 1));
-    folder.write(fmt::format("{}/depth/{}.png", name, i), encode_png(range, 1));
+    folder.write(fmt::format("{}/rgb/{}.png", name, i), encode_png(colour, PngEffort::fast));
+    folder.write(fmt::format("{}/depth/{}.png", name, i), encode_png(range, PngEffort::fast));
     rgb += fmt::format("{:.6f} rgb/{}.png\n", time, i);
     depth += fmt::format("{:.6f} depth/{}.png\n", time + 0.003, i);
     truth += fmt::format("{:.6f} {:.6f} 0 0 0 0 0 1\n", time, kStep * i);

@@ -132,7 +132,7 @@ DecodedImage decode_png_colour(Bytes bytes, cv::Size size, ColourMode mode) {
 
 DecodedImage decode_png_depth(Bytes bytes, cv::Size size) { return decode(bytes, size, Kind::depth); }
 
-std::vector<std::uint8_t> encode_png(const cv::Mat& image, int compression) {
+std::vector<std::uint8_t> encode_png(const cv::Mat& image, PngEffort effort) {
   CV_Assert(image.type() == CV_8UC1 || image.type() == CV_8UC3 || image.type() == CV_16UC1);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.total());
@@ -145,7 +145,9 @@ std::vector<std::uint8_t> encode_png(const cv::Mat& image, int compression) {
                  image.depth() == CV_16U ? 16 : 8,
                  image.channels() == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_compression_level(png, compression);
+    constexpr int kRunLengths = 3;  // Z_RLE of zlib.h
+    png_set_compression_level(png, effort == PngEffort::fast ? 1 : 3);
+    if (effort == PngEffort::fast) png_set_compression_strategy(png, kRunLengths);
     // One filter, or libpng tries all five on every row. "Sub" suits smooth images best at its price.
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_write_info(png, info);
