@@ -17,6 +17,8 @@ struct alignas(64) Column {
   double value[kernels::kSegment];
 };
 
+double* plain(std::vector<Column>& list) { return reinterpret_cast<double*>(list.data()); }
+
 /// A chain of `size` cameras, each connected to `reach` before it, and closed to a ring.
 BlockPattern make_ring(std::size_t size, std::size_t reach) {
   BlockPattern pattern(size);
@@ -74,8 +76,8 @@ void expect_solution(std::size_t size, std::size_t reach, bool reorder) {
     }
   }
   const kernels::BlockColumns columns{size, pattern.starts().data(), pattern.rows().data()};
-  ASSERT_TRUE(kernels::best().factorise(columns, blocks.data()->value));
-  kernels::best().solve(columns, blocks.data()->value, x.data()->value);
+  ASSERT_TRUE(kernels::best().factorise(columns, plain(blocks)));
+  kernels::best().solve(columns, plain(blocks), plain(x));
   const Eigen::VectorXd expected = matrix.ldlt().solve(right);
   for (std::size_t j = 0; j < size; ++j) {
     for (int k = 0; k < 6; ++k)
@@ -121,7 +123,7 @@ TEST(BlockPattern, AnIndefiniteMatrixIsRefused) {
     blocks[12 + k].value[k] = 1;
   }
   const kernels::BlockColumns columns{2, pattern.starts().data(), pattern.rows().data()};
-  EXPECT_FALSE(kernels::best().factorise(columns, blocks.data()->value));
+  EXPECT_FALSE(kernels::best().factorise(columns, plain(blocks)));
 }
 
 }  // namespace

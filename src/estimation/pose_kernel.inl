@@ -31,17 +31,19 @@ STDC_INLINE void pose_classify(const PoseResiduals& e, const Gate& gate, PoseFou
   store(four->use_depth, load(four->depth_weight) > 0.0 ? near : all(0.0));
 }
 
-/// Adds w * row * (row, residual) to the 27 sums of H and g; entry `zero` of the row is known to be 0.
-template <int zero_a, int zero_b, int zero_c>
-STDC_INLINE void add_row(const Lanes (&row)[6], const Lanes& weight, const Lanes& residual, Lanes* sums) {
-  int k = 0;
-  for (int i = 0; i < 6; ++i) {
-    const bool skip_i = i == zero_a || i == zero_b || i == zero_c;
-    const Lanes weighted = weight * row[i];
-    for (int j = i; j < 6; ++j, ++k) {
-      if (!skip_i && j != zero_a && j != zero_b && j != zero_c) sums[k] += weighted * row[j];
-    }
-    if (!skip_i) sums[21 + i] += weighted * residual;
+/// Adds w * row * (row, residual) to the 27 sums of H and g; `row`: only the entries in the given columns,
+/// the others are 0.
+template <int... columns>
+STDC_INLINE void add_row(const Lanes (&row)[sizeof...(columns)], const Lanes& weight, const Lanes& residual,
+                         Lanes* sums) {
+  constexpr int kColumn[] = {columns...}, kCount = sizeof...(columns);
+#pragma GCC unroll 6
+  for (int a = 0; a < kCount; ++a) {
+    const int i = kColumn[a];
+    const Lanes weighted = weight * row[a];
+#pragma GCC unroll 6
+    for (int b = a; b < kCount; ++b) sums[i * (11 - i) / 2 + kColumn[b]] += weighted * row[b];
+    sums[21 + i] += weighted * residual;
   }
 }
 
@@ -58,17 +60,14 @@ STDC_INLINE void add_pose_four(const PoseFour& four, const PinholeView& view, co
 
   const Lanes inverse_sigma = load(four.inverse_sigma);
   const Lanes a = view.fx * inverse_sigma, b = view.fy * inverse_sigma, c = load(four.depth_weight);
-  const Lanes xy = e.x * e.y, none = all(0.0);
-  const Lanes u_row[6] = {a * e.inverse_z,       none,    -a * e.x * e.inverse_z, -a * xy,
-                          a * (1.0 + e.x * e.x), -a * e.y};
-  const Lanes v_row[6] = {none,   b * e.inverse_z, -b * e.y * e.inverse_z, -b * (1.0 + e.y * e.y),
-                          b * xy, b * e.x};
-  const Lanes d =
-      -c * e.inverse_z;  // d(1/z) = -dz / z^2, dz = (0, 0, 1, y, -x, 0) for (translation, rotation)
-  const Lanes d_row[6] = {none, none, d * e.inverse_z, d * e.y, -d * e.x, none};
-  add_row<1, -1, -1>(u_row, pixel_weight, e.u, sums);
-  add_row<0, -1, -1>(v_row, pixel_weight, e.v, sums);
-  add_row<0, 1, 5>(d_row, depth_weight, e.depth, sums);
+  const Lanes xy = e.x * e.y;
+  const Lanes u_row[] = {a * e.inverse_z, -a * e.x * e.inverse_z, -a * xy, a * (1.0 + e.x * e.x), -a * e.y};
+  const Lanes v_row[] = {b * e.inverse_z, -b * e.y * e.inverse_z, -b * (1.0 + e.y * e.y), b * xy, b * e.x};
+  const Lanes d = -c * e.inverse_z;  // d(1/z) = -dz / z^2, dz = (0, 0, 1, y, -x, 0)
+  const Lanes d_row[] = {d * e.inverse_z, d * e.y, -d * e.x};
+  add_row<0, 2, 3, 4, 5>(u_row, pixel_weight, e.u, sums);
+  add_row<1, 2, 3, 4, 5>(v_row, pixel_weight, e.v, sums);
+  add_row<2, 3, 4>(d_row, depth_weight, e.depth, sums);
 }
 
 void linearise_pose(PoseFour* fours, std::size_t count, const PinholeView& view, const Gate* gate,
