@@ -13,9 +13,9 @@ struct TrackingSettings {
   int loose_match_distance = 75;
   double best_to_second = 0.8;
   int minimum_inliers_motion = 12;
-  int minimum_inliers = 25;
+  int minimum_inliers = 15;
   int relocalisation_keyframes = 20;
-  int relocalisation_inliers = 40;
+  int relocalisation_inliers = 30;
   double close_depth = 3.2;
   int close_tracked_low = 100;
   int close_untracked_high = 70;
