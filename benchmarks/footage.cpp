@@ -1,0 +1,53 @@
+#include "footage.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+#include <thread>
+
+#include "datasets/tum_sequence.hpp"
+#include "rendering/rendered_sequence.hpp"
+
+namespace stdc {
+namespace {
+
+constexpr int kMostFrames = 160;  // 0.9 MB each
+
+Footage read(const char* folder) {
+  const TumSequence sequence(folder);
+  Footage footage{find_camera(sequence, {}), {}};
+  const std::size_t count = std::min<std::size_t>(kMostFrames, sequence.frames().size());
+  for (std::size_t i = 0; i < count; ++i) {
+    footage.frames.push_back(load_frame(sequence.frames()[i], footage.camera, ColourMode::grey));
+  }
+  return footage;
+}
+
+Footage render() {
+  const RenderedSequence sequence(Preset::static_desk, {});
+  Footage footage{sequence.camera(), std::vector<RgbdImage>(kMostFrames)};
+  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::vector<std::jthread> workers;
+  for (int first = 0; first < threads; ++first) {
+    workers.emplace_back([&, first] {
+      for (int i = first; i < kMostFrames; i += threads) {
+        RgbdImage image = sequence.render(i).image;
+        cv::Mat grey;
+        cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
+        image.colour = grey;
+        footage.frames[static_cast<std::size_t>(i)] = image;
+      }
+    });
+  }
+  workers.clear();  // waits
+  return footage;
+}
+
+}  // namespace
+
+Footage load_footage() {
+  const char* folder = std::getenv("STDC_SEQUENCE");
+  return folder != nullptr ? read(folder) : render();
+}
+
+}  // namespace stdc

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/rgbd_image.hpp"
+
+namespace stdc {
+
+/// What the benchmarks of tracking and mapping look at: grey images with depth, in memory.
+struct Footage {
+  Camera camera;
+  std::vector<RgbdImage> frames;
+};
+
+/// The first frames of the sequence folder (TUM layout) in the environment variable STDC_SEQUENCE; without
+/// it, as many of the rendered static-desk. Throws Error if the sequence cannot be read.
+Footage load_footage();
+
+}  // namespace stdc
