@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kOffset = 1e-3F;       // start of a ray above its surface [m]
-constexpr float kFinestNode = 0.010F;  // [m]
-constexpr float kCoarsestNode = 0.05F;
-constexpr int kCellsAcross = 40;  // a patch gets about so many nodes along a side between those limits
+constexpr float kFinestNode = 0.014F;  // [m]
+constexpr float kCoarsestNode = 0.055F;
+constexpr int kCellsAcross = 32;  // a patch gets about so many nodes along a side between those limits
 
 // A node is four 16-bit numbers: square roots of red, green, blue, and a mark that it is known.
 constexpr float kBrightest = 16.0F;
@@ -46,7 +46,7 @@ int cell_count(float length) {
 }  // namespace
 
 BakedLight::BakedLight(const World& world, const RayScene& scene) : world_(world), scene_(scene) {
-  constexpr int kDirections = 32;
+  constexpr int kDirections = 24;
   for (int i = 0; i < kDirections; ++i) {  // cosine-weighted, on Vogel's spiral
     const double square = (i + 0.5) / kDirections, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
     const double radius = std::sqrt(square);
@@ -117,7 +117,7 @@ Rgb BakedLight::gather(const Vector3f& position, const Vector3f& normal, std::ui
 }
 
 Rgb BakedLight::direct(const Vector3f& position, const Vector3f& normal, std::uint64_t seed) const {
-  constexpr int kAcross = 6, kDown = 3;  // strata on each light
+  constexpr int kAcross = 4, kDown = 3;  // strata on each light
   constexpr double kJitter =
       0.35;  // of a stratum: hides the steps that a fixed pattern leaves in half shadows
   Random random(seed, 2);

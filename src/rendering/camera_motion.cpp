@@ -77,6 +77,15 @@ Pose axis_by_axis(double t) {
                 2 * kDegree * wave(t, 5.1));
 }
 
+/// From the back of the room, following with the eyes what goes on before the desks.
+Pose watching(double t) {
+  const Vector3d eye(0.5 * wave(t, 9.7) + 0.1 * wave(t, 4.1),
+                     -2.55 + 0.16 * wave(t, 7.9, 1) - 0.16 * std::sin(1.0), 1.46 + 0.14 * wave(t, 6.1));
+  const Vector3d gaze(0.35 * wave(t, 12.3, 0.6) - 0.35 * std::sin(0.6) - 0.25, 0.6,
+                      0.88 + 0.08 * wave(t, 8.3));
+  return turned(look_at(eye, gaze), 0, 0, 3 * kDegree * wave(t, 5.7));
+}
+
 Pose half_sphere(double t) {
   const double tilt = 75 * kDegree * (0.5 - 0.5 * std::cos(kTwoPi * t / 8.5)), turn = kTwoPi * t / 21 + 0.4;
   constexpr double kRadius = 0.5;
@@ -113,6 +122,8 @@ Pose CameraMotion::steady(double time) const {
       return along_desk(t);
     case MotionKind::room_loop:
       return room_loop(time);
+    case MotionKind::watch:
+      return watching(t);
     case MotionKind::xyz:
       return axis_by_axis(t);
     case MotionKind::halfsphere:

@@ -9,7 +9,7 @@ namespace stdc {
 /// How the hand moves the camera. The last four follow the motions of the TUM RGB-D benchmark (Sturm et al.
 /// 2012): along the axes with the view kept, over a half sphere of 1 m, turning about the axes, and held
 /// still.
-enum class MotionKind { desk, room_loop, xyz, halfsphere, rpy, held };
+enum class MotionKind { desk, room_loop, watch, xyz, halfsphere, rpy, held };
 
 /// A smooth path of a hand-held camera that starts from rest. Any time >= 0 has a pose; it depends on nothing
 /// but kind, seed and time.

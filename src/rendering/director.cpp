@@ -17,24 +17,26 @@ using Eigen::Vector2d;
 
 /// The way round the desks; the first five points lie between the desks and the camera of the walking
 /// presets.
-const std::array<Vector2d, 13> kRing{{{-1.9, -0.75},
-                                      {-0.95, -0.85},
-                                      {0.0, -0.8},
-                                      {0.65, -0.85},
-                                      {1.6, -1.0},
+const std::array<Vector2d, 14> kRing{{{-1.7, -0.85},
+                                      {-0.75, -0.92},
+                                      {-0.3, -1.0},
+                                      {0.22, -1.02},
+                                      {0.68, -0.97},
+                                      {1.6, -1.05},
                                       {2.15, -0.55},
                                       {2.15, 1.0},
                                       {2.05, 2.25},
                                       {1.3, 2.58},
-                                      {0.0, 2.52},
+                                      {0.0, 2.56},
                                       {-1.3, 2.5},
                                       {-2.05, 2.2},
                                       {-2.1, 0.8}}};
-constexpr int kRingSize = 13, kFront = 5;
-constexpr int kNearChair = 3;          // the point of the ring next to the visitors' chair
-constexpr double kApart = 0.62;        // least distance between two people [m]
-constexpr double kBehindChair = 0.78;  // from the chair's middle to who pushes it [m]
-constexpr double kBeforeChair = 0.44;  // from the chair's middle to who is about to sit down [m]
+constexpr int kRingSize = static_cast<int>(kRing.size());
+constexpr int kFirstSeen = 1, kLastSeen = 4;  // the points of the ring in the middle of the view
+constexpr int kNearChair = 4;                 // the point of the ring next to the visitors' chair
+constexpr double kApart = 0.62;               // least distance between two people [m]
+constexpr double kBehindChair = 0.78;         // from the chair's middle to who pushes it [m]
+constexpr double kBeforeChair = 0.44;         // from the chair's middle to who is about to sit down [m]
 
 int ring_index(int i) { return (i % kRingSize + kRingSize) % kRingSize; }
 
@@ -42,9 +44,10 @@ int ring_index(int i) { return (i % kRingSize + kRingSize) % kRingSize; }
 class Walkers {
  public:
   explicit Walkers(std::uint64_t seed) : random_(seed, 71) {
-    add(3, std::numbers::pi - 0.3);
-    add(12, 0.2);
+    add(4, std::numbers::pi - 0.3);
+    add(1, 0.4);
     routes_[0].wait(1.2);
+    routes_[1].wait(0.5);
   }
 
   std::vector<Route> plan(double seconds) {
@@ -75,7 +78,7 @@ class Walkers {
     const int place = places_[who];
     constexpr int kTries = 6;
     for (int i = 0; i < kTries; ++i) {
-      const bool sit = place <= kFront && random_.uniform() < 0.13;
+      const bool sit = place >= kFirstSeen && place <= kNearChair && random_.uniform() < 0.14;
       if (sit) {
         sit_down(who);
       } else {
@@ -100,12 +103,13 @@ class Walkers {
 
   void stroll(int who) {
     // Mostly to and fro before the desks, now and then all the way round.
-    const bool front = random_.uniform() < 0.7;
-    const int to = static_cast<int>(front ? random_.below(kFront) : random_.below(kRingSize));
+    const bool seen = random_.uniform() < 0.86;
+    const int to = seen ? kFirstSeen + static_cast<int>(random_.below(kLastSeen - kFirstSeen + 1))
+                        : static_cast<int>(random_.below(kRingSize));
     if (to == places_[who]) return pause(who);
     const int steps = ring_index(to - places_[who]);
     const int direction = steps <= kRingSize / 2 ? 1 : -1;
-    follow_ring(who, to, random_.uniform() < 0.15 ? -direction : direction, random_.uniform(0.75, 1.15));
+    follow_ring(who, to, random_.uniform() < 0.1 ? -direction : direction, random_.uniform(0.75, 1.15));
     if (random_.uniform() < 0.65) pause(who);
   }
 
@@ -154,11 +158,12 @@ BoxPlay direct_box_carrier(double seconds, std::uint64_t seed) {
   const Vector2d at_desk(-1.15, -0.15);
   const Pose box_place = placed(-1.15 + random.uniform(-0.02, 0.02), 0.385, 0.7305,
                                 std::numbers::pi + random.uniform(-0.06, 0.06));
-  BoxPlay play{Route({{-2.6, -1.6}, 2.2}), placed(1.45, -0.62, 0, -std::numbers::pi / 2), {}};
+  BoxPlay play{Route({{-1.75, -1.35}, 2.3}), placed(0.62, -0.74, 0, -std::numbers::pi / 2), {}};
   Route& route = play.route;
+  route.wait(0.6);
   double carried_since = 0;
   for (int round = 0; route.end() < seconds; ++round) {
-    route.walk({{-1.7, -0.85}, {-1.2, -0.6}, at_desk}, random.uniform(0.75, 0.9));
+    route.walk({{-1.4, -0.8}, at_desk}, random.uniform(0.75, 0.9));
     route.turn(std::numbers::pi);
     route.note(Act::carry, carried_since);
     const double placing = route.end();
@@ -168,34 +173,34 @@ BoxPlay direct_box_carrier(double seconds, std::uint64_t seed) {
     if (round == 0) {  // the chair is pushed along before the desks
       const double behind = play.chair_start.translation.x() + kBehindChair,
                    y = play.chair_start.translation.y();
-      route.walk({{-0.9, -0.85}, {0.5, -1.15}, {1.6, -1.3}, {behind + 0.35, -1.0}, {behind + 0.2, y}},
-                 random.uniform(0.9, 1.05));
+      route.walk({{-0.9, -0.85}, {0.2, -1.36}, {1.2, -1.4}, {behind + 0.22, -1.15}, {behind + 0.18, y}},
+                 random.uniform(0.95, 1.1));
       route.turn(-std::numbers::pi / 2);
       route.walk({{behind, y}}, 0.5);
       route.turn(-std::numbers::pi / 2);
       route.wait(0.3);
       const double pushing = route.end();
       route.wait(0.7);
-      route.push_ahead(1.0, 0.55);
+      route.push_ahead(0.9, 0.5);
       route.wait(0.7);
       route.note(Act::push, pushing);
     } else {
-      route.walk({{-0.9, -0.85}, {0.0, -1.05}, {1.3, -1.15}, {1.9, -0.9}}, random.uniform(0.85, 1.0));
+      route.walk({{-0.9, -0.95}, {0.0, -1.36}, {0.8, -1.36}}, random.uniform(0.85, 1.0));
       route.turn(random.uniform(2.4, 3.4));
     }
     const double talking = route.end();
     route.wait(random.uniform(1.5, 2.5));
     route.note(Act::talk, talking);
-    route.walk({{1.5, -1.2}, {0.3, -1.1}, {-0.9, -0.8}, at_desk}, random.uniform(0.85, 1.0));
+    route.walk({{0.6, -1.36}, {-0.3, -1.36}, {-1.0, -0.8}, at_desk}, random.uniform(0.85, 1.0));
     route.turn(std::numbers::pi);
     const double picking = route.end();
     route.wait(kHandling);
     route.note(Act::pick, picking, box_place);
     carried_since = route.end();
-    route.walk({{-1.2, -0.7}, {-0.4, -1.0}, {0.6, -1.1}}, random.uniform(0.7, 0.85));
+    route.walk({{-1.1, -0.8}, {-0.5, -1.36}, {0.4, -1.38}}, random.uniform(0.7, 0.85));
     route.turn(route.last().yaw + std::numbers::pi * 0.6);
     route.wait(0.8);
-    route.walk({{-0.3, -1.1}, {-1.5, -1.1}}, random.uniform(0.7, 0.85));
+    route.walk({{-0.4, -1.38}, {-1.2, -1.25}, {-1.5, -1.0}}, random.uniform(0.7, 0.85));
   }
   return play;
 }

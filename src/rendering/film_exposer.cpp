@@ -141,9 +141,13 @@ class Exposure {
     for (int k = 0; k < count; ++k) {
       auto& colour = film_.colour.at<cv::Vec3f>(pixels[k]);
       // What is brighter than white is clipped before the mean: a lamp's rim must not stay jagged.
-      Rgb sum = Rgb(colour[0], colour[1], colour[2]).cwiseMin(kClip);
+      const Rgb own = Rgb(colour[0], colour[1], colour[2]).cwiseMin(kClip);
+      const Seen& centre = at(pixels[k].x, pixels[k].y);
+      Rgb sum = own;
       for (int i = k * kEdgeSamples; i < (k + 1) * kEdgeSamples; ++i) {
-        sum += shade(seen[i], directions[i]).colour.cwiseMin(kClip);
+        // The filtered texture varies little within a pixel: on the same quad its centre will do.
+        const bool known = seen[i].hit.quad == centre.hit.quad && seen[i].moving == centre.moving;
+        sum += known ? own : Rgb(shade(seen[i], directions[i]).colour.cwiseMin(kClip));
       }
       sum /= 1 + kEdgeSamples;
       colour = {sum.x(), sum.y(), sum.z()};

@@ -28,7 +28,7 @@ MotionKind motion_of(Preset preset) {
     case Preset::static_room:
       return MotionKind::room_loop;
     case Preset::walking_xyz:
-      return MotionKind::xyz;
+      return MotionKind::watch;
     case Preset::walking_halfsphere:
       return MotionKind::halfsphere;
     case Preset::walking_rpy:
@@ -38,7 +38,7 @@ MotionKind motion_of(Preset preset) {
     case Preset::moving_box:
       break;
   }
-  return MotionKind::xyz;
+  return MotionKind::watch;
 }
 
 double seconds_of(Preset preset) {

@@ -228,9 +228,9 @@ void add_island(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
   add_workplace(b, m, placed(x, north, 0, 2 * kQuarter), 3, random);
   b.world_from_local = placed(0.02, 1.0, kDeskHeight);
   add_fruit_bowl(b, m);
-  b.world_from_local = placed(-0.45, -0.03, 0, 0.5);
+  b.world_from_local = placed(-0.45, -0.05, 0, 2 * kQuarter + 0.5);
   add_office_chair(b, m);  // tucked in
-  b.world_from_local = placed(0.7, 1.95, 0, 2.8);
+  b.world_from_local = placed(0.7, 2.02, 0, 0.3);
   add_office_chair(b, m);
   b.world_from_local = placed(-2.1, -1.75, 0.003);
   b.rectangle({-0.85, -0.6, 0}, {1.7, 0, 0}, {0, 1.2, 0}, m.rug);

@@ -22,7 +22,8 @@ struct World {
   std::vector<Material> materials;
   Mesh mesh;
   std::vector<AreaLight> lights;
-  Eigen::Vector3f low = Eigen::Vector3f::Zero(), high = Eigen::Vector3f::Zero();  ///< inner corners of the room
+  Eigen::Vector3f low = Eigen::Vector3f::Zero(),
+                  high = Eigen::Vector3f::Zero();  ///< inner corners of the room
 };
 
 }  // namespace stdc
