@@ -83,7 +83,7 @@ class Scene {
     Random random(seed);
     for (int i = 0; i < count; ++i) {
       ScenePoint point;
-      const double x = random.uniform(kLeft, 2.5), y = random.uniform(-1.3, kFloor),
+      const double x = random.uniform(kLeft, kRight), y = random.uniform(-1.3, kFloor),
                    z = random.uniform(1.7, kWall);
       const std::uint32_t surface = wall_only ? 0 : random.below(4);
       point.position = {surface == 2 ? kLeft : x, surface == 3 ? kFloor : y, surface < 2 ? kWall : z};
@@ -138,7 +138,7 @@ class Scene {
   }
 
  private:
-  static constexpr double kWall = 3, kLeft = -1.6, kFloor = 1.1;  // [m]
+  static constexpr double kWall = 3, kLeft = -1.2, kRight = 3.2, kFloor = 0.8;  // [m]
 
   bool see(const ScenePoint& point, const View& view, const ViewOptions& options, Random& random,
            Keypoint& keypoint, double& z) const {
