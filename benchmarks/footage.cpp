@@ -11,12 +11,13 @@
 namespace stdc {
 namespace {
 
-constexpr int kMostFrames = 160;  // 0.9 MB each
+constexpr std::size_t kMostRead = 300;  // 0.9 MB each
+constexpr int kRendered = 160;          // some 10 a second
 
 Footage read(const char* folder) {
   const TumSequence sequence(folder);
   Footage footage{find_camera(sequence, {}), {}};
-  const std::size_t count = std::min<std::size_t>(kMostFrames, sequence.frames().size());
+  const std::size_t count = std::min(kMostRead, sequence.frames().size());
   for (std::size_t i = 0; i < count; ++i) {
     footage.frames.push_back(load_frame(sequence.frames()[i], footage.camera, ColourMode::grey));
   }
@@ -25,12 +26,12 @@ Footage read(const char* folder) {
 
 Footage render() {
   const RenderedSequence sequence(Preset::static_desk, {});
-  Footage footage{sequence.camera(), std::vector<RgbdImage>(kMostFrames)};
+  Footage footage{sequence.camera(), std::vector<RgbdImage>(kRendered)};
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::vector<std::jthread> workers;
   for (int first = 0; first < threads; ++first) {
     workers.emplace_back([&, first] {
-      for (int i = first; i < kMostFrames; i += threads) {
+      for (int i = first; i < kRendered; i += threads) {
         RgbdImage image = sequence.render(i).image;
         cv::Mat grey;
         cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);

@@ -13,8 +13,8 @@ struct Footage {
   std::vector<RgbdImage> frames;
 };
 
-/// The first frames of the sequence folder (TUM layout) in the environment variable STDC_SEQUENCE; without
-/// it, as many of the rendered static-desk. Throws Error if the sequence cannot be read.
+/// The first 300 frames of the sequence folder (TUM layout) in the environment variable STDC_SEQUENCE;
+/// without it, 160 of the rendered static-desk. Throws Error if the sequence cannot be read.
 Footage load_footage();
 
 }  // namespace stdc
