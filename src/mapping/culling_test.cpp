@@ -1,0 +1,134 @@
+#include "mapping/culling.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mapping/test_keyframes.hpp"
+
+namespace stdc {
+namespace {
+
+/// Keyframes at one place; the first landmark-making one is the second of five.
+class LandmarkCulling : public ::testing::Test {
+ protected:
+  LandmarkCulling() : mapped(test::Scene(80)) {
+    for (int k = 0; k < 6; ++k) mapped.add_bare(mapped.scene.look(Pose()));
+  }
+  /// A landmark made by keyframe 1 and seen by so many keyframes, 1 included.
+  LandmarkId make(int keyframes) {
+    const LandmarkId id = mapped.map.add_landmark({0, 0, 3}, {1});
+    for (int k = 0; k < keyframes; ++k)
+      EXPECT_TRUE(mapped.map.observe({static_cast<std::uint32_t>(1 + k)}, next_keypoint, id));
+    ++next_keypoint;
+    recent.push_back(id);
+    return id;
+  }
+  bool on_probation(LandmarkId id) const {
+    return std::find(recent.begin(), recent.end(), id) != recent.end();
+  }
+  void cull(std::uint32_t current) { cull_landmarks(mapped.map, recent, {current}, settings); }
+
+  test::MappedScene mapped;
+  std::vector<LandmarkId> recent;
+  MappingSettings settings;
+  int next_keypoint = 0;
+};
+
+TEST_F(LandmarkCulling, RarelyFoundOnesGoAtOnce) {
+  const LandmarkId rare = make(3), often = make(3), unseen = make(3);
+  mapped.map.count_visible(rare, 9);
+  mapped.map.count_found(rare, 2);
+  mapped.map.count_visible(often, 8);
+  mapped.map.count_found(often, 2);
+  cull(1);
+  EXPECT_FALSE(mapped.map.has(rare)) << "2 of 9 are less than a quarter";
+  EXPECT_FALSE(on_probation(rare));
+  EXPECT_TRUE(mapped.map.has(often) && on_probation(often));
+  EXPECT_TRUE(mapped.map.has(unseen)) << "it never had a chance";
+  test::expect_consistent(mapped.map);
+}
+
+TEST_F(LandmarkCulling, FromTheSecondKeyframeOnItMustHaveBeenSeenOften) {
+  const LandmarkId little = make(2), enough = make(3);
+  cull(2);
+  EXPECT_TRUE(mapped.map.has(little)) << "one keyframe later is too early";
+  cull(3);
+  EXPECT_FALSE(mapped.map.has(little));
+  EXPECT_TRUE(mapped.map.has(enough) && on_probation(enough));
+}
+
+TEST_F(LandmarkCulling, ProbationEnds) {
+  const LandmarkId id = make(3);
+  cull(3);
+  EXPECT_TRUE(on_probation(id));
+  cull(4);
+  EXPECT_FALSE(on_probation(id));
+  mapped.map.count_visible(id, 100);
+  cull(5);
+  EXPECT_TRUE(mapped.map.has(id)) << "once established it stays";
+}
+
+TEST_F(LandmarkCulling, ForgetsThoseThatAreGoneAlready) {
+  const LandmarkId gone = make(1), here = make(1);
+  mapped.map.remove(gone);
+  cull(1);
+  EXPECT_EQ(recent, std::vector<LandmarkId>{here});
+}
+
+/// Five keyframes at nearly the same place. `coarse`: one that sees all at a coarser level than the others.
+test::MappedScene crowd(int coarse = -1) {
+  test::Scene scene(150);
+  for (test::ScenePoint& point : scene.points) point.size_level = 1;
+  test::Scene larger = scene;
+  for (test::ScenePoint& point : larger.points) point.size_level = 4;
+  test::MappedScene mapped(scene);
+  for (int k = 0; k < 5; ++k) {
+    const test::Scene& seen = coarse >= 0 && k != coarse ? larger : scene;
+    mapped.add(seen.look(test::camera_at(0.001 * k, 0, 0)));
+  }
+  return mapped;
+}
+
+TEST(KeyframeCulling, RemovesTheRedundantAndKeepsTheFirst) {
+  test::MappedScene mapped = crowd();
+  // With the second gone, the third is still seen by three others; then the fourth is seen by two only.
+  EXPECT_EQ(cull_keyframes(mapped.map, {4}, 10, {}), 2);
+  EXPECT_EQ(mapped.map.keyframe_count(), 3);
+  EXPECT_TRUE(mapped.map.has(KeyframeId{0}));
+  EXPECT_TRUE(mapped.map.has(KeyframeId{4})) << "the one being mapped";
+  test::expect_consistent(mapped.map);
+  EXPECT_EQ(cull_keyframes(mapped.map, {4}, 10, {}), 0);
+}
+
+TEST(KeyframeCulling, OnlyCloseLandmarksCount) {
+  test::MappedScene mapped = crowd();
+  EXPECT_EQ(cull_keyframes(mapped.map, {4}, 0.5, {}), 0) << "none is close";
+}
+
+TEST(KeyframeCulling, AFinerViewIsNotRedundant) {
+  test::MappedScene mapped = crowd(2);
+  cull_keyframes(mapped.map, {4}, 10, {});
+  EXPECT_TRUE(mapped.map.has(KeyframeId{2})) << "the others see it at coarser levels";
+  EXPECT_FALSE(mapped.map.has(KeyframeId{1}));
+}
+
+TEST(KeyframeCulling, WhatIsSeenByItAloneKeepsAKeyframe) {
+  test::MappedScene mapped = crowd();
+  // A fifth of what each of the covisible ones sees is taken from the others.
+  for (std::uint32_t k = 1; k < 4; ++k) {
+    const auto seen = mapped.map.keyframe({k}).landmarks;
+    for (std::size_t i = k; i < seen.size(); i += 5) {
+      for (std::uint32_t other = 0; other < 5; ++other) {
+        const int keypoint =
+            other != k && mapped.map.has(seen[i]) ? mapped.map.keypoint_of(seen[i], {other}) : -1;
+        if (keypoint >= 0) mapped.map.forget({other}, keypoint);
+      }
+    }
+  }
+  EXPECT_EQ(cull_keyframes(mapped.map, {4}, 10, {}), 0);
+  MappingSettings lenient;
+  lenient.redundant_share = 0.5;
+  EXPECT_GT(cull_keyframes(mapped.map, {4}, 10, lenient), 0);
+}
+
+}  // namespace
+}  // namespace stdc
