@@ -15,7 +15,7 @@ struct Id {
   std::uint32_t value = kNone;
 
   constexpr bool valid() const { return value != kNone; }
-  constexpr auto operator<=>(const Id&) const = default;
+  constexpr auto operator<=>(const Id&) const = default;  // NOLINT(modernize-use-nullptr): takes the 0 in <=>
 };
 
 using KeyframeId = Id<struct KeyframeTag>;

@@ -86,6 +86,7 @@ std::optional<Relocalisation> locate_by_keyframe(const Camera& camera, const Map
   const auto rough = ransac(camera, candidates, keyframe.value, least_inliers);
   if (!rough) return {};
   std::vector<PoseObservation> observations;
+  observations.reserve(candidates.size());
   for (const Candidate& c : candidates) observations.push_back(c.observation);
   const PoseOptimisationResult result = optimise_pose(camera, observations, *rough, noise, optimisation);
   if (!result.usable || result.inliers < least_inliers) return {};
