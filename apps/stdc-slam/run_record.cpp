@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 namespace stdc::app {
 namespace {
@@ -104,13 +105,7 @@ std::string RunRecord::frames_csv() const {
 
 nlohmann::ordered_json RunRecord::stage_milliseconds() const {
   nlohmann::ordered_json stages;
-  for (const Stage& stage : kStages) {
-    std::vector<double> times;
-    for (const TrackingResult& result : results_) {
-      if (processed(result)) times.push_back(result.milliseconds.*stage.time);
-    }
-    stages[stage.name] = to_json(quantiles(std::move(times)));
-  }
+  for (const Stage& one : kStages) stages[one.name] = to_json(stage(one.time));
   return stages;
 }
 
@@ -132,10 +127,10 @@ nlohmann::ordered_json RunRecord::mapping() const {
           {"bundle_observations", to_json(quantiles(observations))}};
 }
 
-Quantiles RunRecord::tracking_milliseconds() const {
+Quantiles RunRecord::stage(double StageTimes::*time) const {
   std::vector<double> times;
   for (const TrackingResult& result : results_) {
-    if (processed(result)) times.push_back(result.milliseconds.total);
+    if (processed(result)) times.push_back(result.milliseconds.*time);
   }
   return quantiles(std::move(times));
 }

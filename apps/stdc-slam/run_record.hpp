@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -36,7 +36,8 @@ class RunRecord {
   nlohmann::ordered_json stage_milliseconds() const;
   /// The same of local mapping, per keyframe, with the sizes of the bundle adjustments.
   nlohmann::ordered_json mapping() const;
-  Quantiles tracking_milliseconds() const;
+  /// Quantiles of one stage over the processed frames [ms].
+  Quantiles stage(double StageTimes::*time) const;
 
  private:
   std::vector<TrackingResult> results_;

@@ -1,5 +1,7 @@
 #include "settings_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "slam/settings_io.hpp"
 
 namespace stdc::app {
