@@ -90,7 +90,7 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
 
 std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   const StatusCounts& counts = record.counts();
-  const Quantiles tracking = record.tracking_milliseconds();
+  const Quantiles tracking = record.stage(&StageTimes::total), cpu = record.stage(&StageTimes::total_cpu);
   std::string text = fmt::format("{}: {} frames, {} with a pose ({:.1f} %)", summary.sequence, counts.total(),
                                  counts.ok, 100 * coverage(counts));
   if (counts.lost > 0) text += fmt::format(", {} lost", counts.lost);
@@ -98,11 +98,11 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   if (counts.skipped > 0) text += fmt::format(", {} skipped", counts.skipped);
   text += fmt::format("; {} keyframes, {} landmarks\n", summary.keyframes, summary.landmarks);
   text += fmt::format(
-      "{:.1f} frames a second; tracking {:.1f} ms a frame (median; 95 %: {:.1f}, 99 %: {:.1f}); CPU {:.1f} "
-      "s; "
-      "peak memory {:.0f} MB; first frame after {:.2f} s\n",
-      frames_per_second(summary, counts), tracking.median, tracking.p95, tracking.p99,
-      summary.usage.cpu_seconds, summary.usage.peak_memory_mb, summary.start_up_seconds);
+      "{:.1f} frames a second; tracking {:.1f} ms a frame (median; 95 %: {:.1f}, 99 %: {:.1f}; CPU: "
+      "{:.1f})\n",
+      frames_per_second(summary, counts), tracking.median, tracking.p95, tracking.p99, cpu.median);
+  text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
+                      summary.usage.cpu_seconds, summary.usage.peak_memory_mb, summary.start_up_seconds);
   if (summary.scores) text.append("\n").append(format_scores(*summary.scores));
   if (!summary.not_scored.empty()) text += fmt::format("not scored: {}\n", summary.not_scored);
   return text;
