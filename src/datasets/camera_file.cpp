@@ -116,9 +116,9 @@ std::string format_camera(const Camera& camera) {
 
 // The calibrations published with the TUM RGB-D benchmark (Sturm et al., IROS 2012).
 std::optional<Camera> tum_calibration(std::string_view folder_name) {
-  // Freiburg 1 and 2 were taken with a Kinect, whose colour camera has a rolling shutter (Ringaby and Forssen,
-  // ICCV 2011). The time was found from images alone: with it most landmarks are where they are expected. The
-  // Xtion of freiburg 3 has not been measured yet.
+  // Freiburg 1 and 2 were taken with a Kinect, whose colour camera has a rolling shutter (Ringaby and
+  // Forssen, ICCV 2011). The time was found from images alone: with it most landmarks are where they are
+  // expected. The Xtion of freiburg 3 has not been measured yet.
   constexpr double kKinectReadout = 0.026;  // [s]
   Camera camera;
   const auto named = [&](std::string_view word) { return folder_name.find(word) != std::string_view::npos; };

@@ -17,7 +17,8 @@ Camera read_camera(const std::filesystem::path& path);
 Camera parse_camera(const std::string& yaml, const std::string& name);
 /// The text that parse_camera reads back to the same camera.
 std::string format_camera(const Camera& camera);
-/// The calibration (lens and rolling shutter) that ships for a folder name with "freiburg1", "freiburg2" or "freiburg3" in it.
+/// The calibration (lens and rolling shutter) that ships for a folder name with "freiburg1", "freiburg2" or
+/// "freiburg3" in it.
 std::optional<Camera> tum_calibration(std::string_view folder_name);
 
 }  // namespace stdc

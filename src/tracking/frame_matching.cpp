@@ -102,8 +102,9 @@ void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFra
   constexpr float kLargestAngleCosine = 0.5F;  // 60 degrees between now and the mean viewing direction
   std::vector<std::uint8_t> taken(features.size(), 0), matched(map.landmarks.size(), 0);
   for (const FrameMatch& match : matches) {
+    if (match.landmark < 0) continue;  // a landmark may take a temporary point's keypoint
     taken[match.keypoint] = 1;
-    if (match.landmark >= 0) matched[match.landmark] = 1;
+    matched[match.landmark] = 1;
   }
   const Eigen::Vector3d centre = frame.cam_from_world.centre();
   const int top = features.levels() - 1;
@@ -135,6 +136,7 @@ void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFra
     taken[best.index] = 1;
     matches.push_back({best.index, i, landmark.position});
   }
+  std::erase_if(matches, [&](const FrameMatch& m) { return m.landmark < 0 && taken[m.keypoint] != 0; });
 }
 
 void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& map,
