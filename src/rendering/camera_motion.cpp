@@ -46,23 +46,23 @@ Pose along_desk(double t) {
   const Vector3d target(0.75 * wave(t, 19) + 0.15 * wave(t, 7.3), 0.62 + 0.25 * wave(t, 11, 1),
                         0.84 + 0.06 * wave(t, 9));
   const Vector3d eye(0.85 * wave(t, 19, -0.35) + 0.12 * wave(t, 5.3),
-                     -0.42 + 0.2 * wave(t, 8.1) - 0.1 * wave(t, 13, 2),
-                     1.3 + 0.12 * wave(t, 6.7) + 0.06 * wave(t, 10.9, 1));
+                     -0.5 + 0.2 * wave(t, 8.1) - 0.1 * wave(t, 13, 2),
+                     1.44 + 0.1 * wave(t, 6.7) + 0.05 * wave(t, 10.9, 1));
   return turned(look_at(eye, target), 0, 0, 6 * kDegree * wave(t, 8.7));
 }
 
 Pose room_loop(double time) {
   // One round takes kLoopSeconds with a soft start and end; `round` in [0, 1].
-  const double t = std::fmod(time, CameraMotion::kLoopSeconds), left = CameraMotion::kLoopSeconds - t;
-  const double whole = eased(CameraMotion::kLoopSeconds) - 0.5 * kStart;
+  const double t = std::fmod(time, CameraPath::kLoopSeconds), left = CameraPath::kLoopSeconds - t;
+  const double whole = eased(CameraPath::kLoopSeconds) - 0.5 * kStart;
   const double round = left < kStart ? 1 - eased(left) / whole : eased(t) / whole;
   const double angle = kTwoPi * (round - 0.25);
   const double middle = 0.5 * (RoomPlan::kIslandNorth + 0.55 - 1.45);
-  const Vector3d eye(2.25 * std::cos(angle),
+  const Vector3d eye(2.15 * std::cos(angle),
                      middle + (RoomPlan::kIslandNorth + 0.55 - middle) * std::sin(angle),
                      1.45 + 0.1 * std::sin(kTwoPi * 3 * round));
   // Looks forward and outward, now more the one, now more the other.
-  const double gaze = angle + (28 + 26 * std::sin(kTwoPi * 5 * round)) * kDegree;
+  const double gaze = angle + (42 + 26 * std::sin(kTwoPi * 5 * round)) * kDegree;
   const double pitch = (-13 + 8 * std::sin(kTwoPi * 4 * round)) * kDegree;
   const Vector3d direction(std::cos(gaze), std::sin(gaze), std::tan(pitch));
   return turned(look_at(eye, eye + direction), 0, 0, 3 * kDegree * std::sin(kTwoPi * 6 * round));
@@ -115,7 +115,7 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
   return {axes, eye};
 }
 
-Pose CameraMotion::steady(double time) const {
+Pose CameraPath::steady(double time) const {
   const double t = eased(time);
   switch (kind_) {
     case MotionKind::desk:
@@ -136,7 +136,7 @@ Pose CameraMotion::steady(double time) const {
   return look_at(kStand, kGaze);
 }
 
-Pose CameraMotion::world_from_cam(double time) const {
+Pose CameraPath::world_from_cam(double time) const {
   Random random(seed_, 21);
   // The hand trembles and sways: a few sines per axis, the slower the wider.
   double tremor[6];

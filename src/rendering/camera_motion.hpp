@@ -13,9 +13,9 @@ enum class MotionKind { desk, room_loop, watch, xyz, halfsphere, rpy, held };
 
 /// A smooth path of a hand-held camera that starts from rest. Any time >= 0 has a pose; it depends on nothing
 /// but kind, seed and time.
-class CameraMotion {
+class CameraPath {
  public:
-  CameraMotion(MotionKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {}
+  CameraPath(MotionKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {}
 
   /// Camera axes: x right, y down, z forward. World: metres, z up (see RoomPlan).
   Pose world_from_cam(double time) const;

@@ -15,8 +15,9 @@ constexpr float kStepsPerPixel = 8.0F;  // of disparity
 constexpr float kNearest = 0.5F, kSurest = 4.2F, kFarthest = 6.0F;  // [m]
 constexpr float kNoise = 0.45F;                                     // of the disparity, in steps
 constexpr float kOutline = 0.6F;                                    // jitter of where a pixel looks [px]
-constexpr float kWeakest = 0.2F;                                    // less infrared than this is never seen
-constexpr int kCell = 4;  // the matcher's window makes noise alike over so many pixels
+constexpr float kWeakest = 0.08F;  // less infrared than this is never seen ...
+constexpr float kWeak = 0.2F;      // ... and about this much half of the time
+constexpr int kCell = 4;           // the matcher's window makes noise alike over so many pixels
 
 /// Noise that is alike in neighbouring pixels, as the block matcher of the sensor makes it: one normal value
 /// per cell corner, blended between.
@@ -90,7 +91,7 @@ cv::Mat DepthSensor::image(const cv::Mat& depth, const cv::Mat& infrared, std::u
       // The chance to be seen falls with distance, dark material and grazing angle; losses come in patches.
       const float reach = 1 - std::max(0.0F, (z - kSurest) / (kFarthest - kSurest));
       const float seen = infrared.at<float>(sy, sx) * reach;
-      if (seen < kWeakest + 0.17F * fading.at(x, y)) continue;
+      if (seen < std::max(kWeakest, kWeak + 0.17F * fading.at(x, y))) continue;
       const float steps = std::round(kDisparity / z + kNoise * disparity_noise.at(x, y));
       if (steps <= 0) continue;
       out[x] = static_cast<std::uint16_t>(std::clamp(units * kDisparity / steps + 0.5F, 0.0F, 65535.0F));

@@ -110,7 +110,7 @@ class Walkers {
     const int steps = ring_index(to - places_[who]);
     const int direction = steps <= kRingSize / 2 ? 1 : -1;
     follow_ring(who, to, random_.uniform() < 0.1 ? -direction : direction, random_.uniform(0.75, 1.15));
-    if (random_.uniform() < 0.65) pause(who);
+    if (random_.uniform() < 0.55) pause(who);
   }
 
   void pause(int who) {

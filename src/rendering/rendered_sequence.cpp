@@ -46,7 +46,7 @@ double seconds_of(Preset preset) {
     case Preset::static_desk:
       return 20;
     case Preset::static_room:
-      return CameraMotion::kLoopSeconds;
+      return CameraPath::kLoopSeconds;
     default:
       return 30;
   }
@@ -115,18 +115,18 @@ class RenderedSequence::Studio {
   Studio(Preset chosen, const RenderSettings& chosen_settings)
       : preset(chosen),
         settings(chosen_settings),
-        camera(settings.camera.value_or(default_render_camera())),
+        camera(checked(settings.camera.value_or(default_render_camera()))),
         motion(motion_of(preset), settings.seed),
         room(make_room(settings.seed, preset != Preset::moving_box)),
         scene(room.world.mesh, TreeQuality::good),
         light(room.world, scene),
         shader(room.world, light),
         cast(make_cast(preset, settings, room, light)),
-        rays(checked(camera)),
+        rays(camera),
         exposer(rays, scene, shader),
         depth_sensor(camera) {}
 
-  static const Camera& checked(const Camera& c) {
+  static Camera checked(const Camera& c) {
     c.validate("render settings: camera");
     return c;
   }
@@ -152,7 +152,7 @@ class RenderedSequence::Studio {
   const Preset preset;
   const RenderSettings settings;
   const Camera camera;
-  const CameraMotion motion;
+  const CameraPath motion;
   const Room room;
   const RayScene scene;
   const BakedLight light;

@@ -144,6 +144,12 @@ void furnish_south(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
   add_cabinet(b, m, 1.1, 0.78, 3);
   b.world_from_local = kSouth * placed(1.75, -0.25, 0.78);
   scatter(b, m, 6, 0.95, 0.25, random);
+  for (int i = 0; i < 4; ++i) {  // boxes below the whiteboard, one on top of another
+    const Vector3d size(random.uniform(0.34, 0.42), random.uniform(0.26, 0.34), random.uniform(0.22, 0.3));
+    b.world_from_local = kSouth * placed(i < 3 ? -0.95 + 0.52 * i : -0.7, -0.22, i < 3 ? 0 : 0.305,
+                                         random.uniform(-0.12, 0.12));
+    b.box({0, 0, 0}, size, m.cardboard);
+  }
   b.world_from_local = kSouth * placed(3.2, -0.5, 0);
   add_coat_stand(b, m, random);
   b.world_from_local = kSouth;
@@ -160,6 +166,7 @@ void furnish_east(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
   add_bookshelf(b, m, 1.2, 1.7, random);
   b.world_from_local = kEast;
   hang(b, m.posters.pick(9), m.white_plastic, -1.9, 1.85, 0.9, 0.6);
+  hang(b, m.posters.pick(8), m.white_plastic, 2.35, 1.15, 0.7, 0.98);
   b.world_from_local = kEast * placed(2.45, -0.4, 0);
   add_plant(b, m, 1.35, random);
   b.world_from_local = kEast * placed(0.2, -0.1, 0.915);

@@ -165,9 +165,9 @@ cv::Mat outdoor_texture(std::uint64_t seed) {
       }
     }
   }
-  for (int i = 0; i < 260; ++i) {  // trees in front of them
-    const double x = random.uniform(), y = random.uniform(0.66, 1.0);
-    c.disc(x, y, random.uniform(0.012, 0.04),
+  for (int i = 0; i < 1500; ++i) {  // trees in front of them
+    const double x = random.uniform(), y = 0.62 + 0.06 * std::sin(17 * x) + random.uniform(0, 0.4);
+    c.disc(x, y, random.uniform(0.004, 0.018),
            hue_paint(random.uniform(0.22, 0.36), 0.6, random.uniform(0.2, 0.6)));
   }
   return c.image();

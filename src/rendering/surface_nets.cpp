@@ -42,7 +42,7 @@ class Lattice {
     const Vector3f middle = point(first) + Vector3f::Constant(0.5F * (kBlock - 1) * cell_);
     const float there = solid.distance(middle);
     // Distances of squeezed shapes are rough, hence the generous margin.
-    const bool far = std::abs(there) > 2.5F * 0.866F * (kBlock + 1) * cell_;
+    const bool far = std::abs(there) > 1.7F * 0.866F * kBlock * cell_;
     for (int z = 0; z < kBlock; ++z) {
       for (int y = 0; y < kBlock; ++y) {
         for (int x = 0; x < kBlock; ++x) {

@@ -68,7 +68,7 @@ cv::Mat plaster_texture(const Paint& colour, std::uint64_t seed) {
   constexpr int kSide = 512;
   Random random(seed);
   Canvas canvas(kSide, kSide, colour);
-  canvas.modulate(fractal_noise(kSide, kSide, 3, 3, 4, random.next()), 0.05);
+  canvas.modulate(fractal_noise(kSide, kSide, 3, 3, 4, random.next()), 0.035);
   canvas.modulate(fractal_noise(kSide, kSide, 64, 64, 3, random.next()), 0.05);
   for (int i = 0; i < 14; ++i) {  // marks that a wall gets
     const double x = random.uniform(), y = random.uniform(), a = random.uniform(0, 6.28);

@@ -1,6 +1,7 @@
 #include "rendering/texture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
@@ -17,6 +18,17 @@ std::uint32_t encode(const Rgb& linear) {
     texel = texel << 8U | static_cast<std::uint32_t>(kFullCode * std::sqrt(std::min(linear[c], 1.0F)) + 0.5F);
   }
   return texel;
+}
+
+/// The code of an 8-bit sRGB value.
+const std::array<std::uint8_t, 256>& code_of_byte() {
+  static const std::array<std::uint8_t, 256> table = [] {
+    std::array<std::uint8_t, 256> codes{};
+    for (int i = 0; i < 256; ++i)
+      codes[i] = static_cast<std::uint8_t>(encode(Rgb::Constant(linear_of_byte()[i])));
+    return codes;
+  }();
+  return table;
 }
 
 /// Linear light times 255^2.
@@ -54,9 +66,12 @@ Texture::Texture(const cv::Mat& bgr) {
          std::has_single_bit(static_cast<unsigned>(bgr.rows)));
   Level level{bgr.cols, bgr.rows, {}};
   level.texels.reserve(bgr.total());
+  const auto& codes = code_of_byte();
   for (int y = 0; y < bgr.rows; ++y) {
     const auto* row = bgr.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < bgr.cols; ++x) level.texels.push_back(encode(rgb8(row[x][2], row[x][1], row[x][0])));
+    for (int x = 0; x < bgr.cols; ++x) {
+      level.texels.push_back(codes[row[x][2]] | codes[row[x][1]] << 8U | codes[row[x][0]] << 16U);
+    }
   }
   levels_.push_back(std::move(level));
   while (levels_.back().width > 1 || levels_.back().height > 1) {
