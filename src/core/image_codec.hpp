@@ -7,9 +7,9 @@
 
 namespace stdc {
 
-// PNG and JPEG by libpng and libjpeg. OpenCV's imgcodecs is not used: as Debian builds it, it loads 120
-// libraries more (0.1 s and 40 MB at start), prints to stderr and lets a truncated JPEG pass as a half grey
-// image.
+// PNG and JPEG by libpng, libdeflate and libjpeg. OpenCV's imgcodecs is not used: as Debian builds it, it
+// loads 120 libraries more (0.1 s and 40 MB at start), prints to stderr and lets a truncated JPEG pass as a
+// half grey image.
 
 /// How to hand out a colour image.
 enum class ColourMode {

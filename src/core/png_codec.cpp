@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/image_codec.hpp"
+#include "core/png_quick.hpp"
 
 namespace stdc {
 namespace {
@@ -121,7 +122,9 @@ void no_flush(png_structp) {}
 bool is_png(Bytes bytes) { return bytes.size() >= 8 && png_sig_cmp(bytes.data(), 0, 8) == 0; }
 
 DecodedImage decode_png_colour(Bytes bytes, cv::Size size, ColourMode mode) {
-  DecodedImage decoded = decode(bytes, size, Kind::colour);
+  const std::optional<DecodedImage> quick = decode_png_quickly(bytes, size);
+  const bool suits = quick && quick->image.depth() == CV_8U;
+  DecodedImage decoded = suits ? *quick : decode(bytes, size, Kind::colour);
   if (mode == ColourMode::grey && decoded.image.channels() == 3) {
     cv::Mat grey;
     cv::cvtColor(decoded.image, grey, cv::COLOR_BGR2GRAY);
@@ -130,7 +133,10 @@ DecodedImage decode_png_colour(Bytes bytes, cv::Size size, ColourMode mode) {
   return decoded;
 }
 
-DecodedImage decode_png_depth(Bytes bytes, cv::Size size) { return decode(bytes, size, Kind::depth); }
+DecodedImage decode_png_depth(Bytes bytes, cv::Size size) {
+  const std::optional<DecodedImage> quick = decode_png_quickly(bytes, size);
+  return quick && quick->image.type() == CV_16UC1 ? *quick : decode(bytes, size, Kind::depth);
+}
 
 std::vector<std::uint8_t> encode_png(const cv::Mat& image, PngEffort effort) {
   CV_Assert(image.type() == CV_8UC1 || image.type() == CV_8UC3 || image.type() == CV_16UC1);
