@@ -45,9 +45,4 @@ void reach(const BodyPlan& plan, Bone upper, Bone lower, const Vector3d& target,
   pose[lower] = Pose(turn(lower, middle, tip), middle);
 }
 
-Eigen::Quaterniond turned(double about_x, double about_y, double about_z) {
-  return Eigen::AngleAxisd(about_z, Vector3d::UnitZ()) * Eigen::AngleAxisd(about_y, Vector3d::UnitY()) *
-         Eigen::AngleAxisd(about_x, Vector3d::UnitX());
-}
-
 }  // namespace stdc

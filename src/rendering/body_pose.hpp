@@ -33,8 +33,4 @@ void attach(const BodyPlan& plan, Bone bone, const Eigen::Quaterniond& turn, Bod
 void reach(const BodyPlan& plan, Bone upper, Bone lower, const Eigen::Vector3d& target,
            const Eigen::Vector3d& bend_towards, const Eigen::Vector3d& hinge, BodyPose& pose);
 
-/// Turns by angles about the body's axes [rad]: first about x (positive pitches a hanging limb backward...
-/// see `pitch`), then y, then z.
-Eigen::Quaterniond turned(double about_x, double about_y, double about_z);
-
 }  // namespace stdc

@@ -5,12 +5,14 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "rendering/motion_curves.hpp"
 #include "rendering/room.hpp"
 
 namespace stdc {
 namespace {
 
 using Eigen::Vector3d;
+using motion::wave;
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180;
@@ -18,8 +20,6 @@ constexpr double kStart = 1.5;    // the hand comes up to speed in this time [s]
 constexpr double kAxisTurn = 15;  // each axis has its turn once in this time (xyz, rpy) [s]
 
 const Vector3d kStand(0, -2.05, 1.42), kGaze(0, 0.9, 0.78);  // of the motions before the desks
-
-double wave(double time, double period, double phase = 0) { return std::sin(kTwoPi * time / period + phase); }
 
 /// Time since the start of a motion that speeds up smoothly from rest: its rate is 3x^2 - 2x^3, x = t /
 /// kStart.

@@ -35,7 +35,6 @@ constexpr int kRingSize = static_cast<int>(kRing.size());
 constexpr int kFirstSeen = 1, kLastSeen = 4;  // the points of the ring in the middle of the view
 constexpr int kNearChair = 4;                 // the point of the ring next to the visitors' chair
 constexpr double kApart = 0.62;               // least distance between two people [m]
-constexpr double kBehindChair = 0.78;         // from the chair's middle to who pushes it [m]
 constexpr double kBeforeChair = 0.44;         // from the chair's middle to who is about to sit down [m]
 
 int ring_index(int i) { return (i % kRingSize + kRingSize) % kRingSize; }
@@ -152,57 +151,5 @@ class Walkers {
 }  // namespace
 
 std::vector<Route> direct_walkers(double seconds, std::uint64_t seed) { return Walkers(seed).plan(seconds); }
-
-BoxPlay direct_box_carrier(double seconds, std::uint64_t seed) {
-  Random random(seed, 72);
-  const Vector2d at_desk(-1.15, -0.15);
-  const Pose box_place = placed(-1.15 + random.uniform(-0.02, 0.02), 0.385, 0.7305,
-                                std::numbers::pi + random.uniform(-0.06, 0.06));
-  BoxPlay play{Route({{-1.75, -1.35}, 2.3}), placed(0.62, -0.74, 0, -std::numbers::pi / 2), {}};
-  Route& route = play.route;
-  route.wait(0.6);
-  double carried_since = 0;
-  for (int round = 0; route.end() < seconds; ++round) {
-    route.walk({{-1.4, -0.8}, at_desk}, random.uniform(0.75, 0.9));
-    route.turn(std::numbers::pi);
-    route.note(Act::carry, carried_since);
-    const double placing = route.end();
-    route.wait(kHandling);
-    route.note(Act::place, placing, box_place);
-    route.wait(0.5);
-    if (round == 0) {  // the chair is pushed along before the desks
-      const double behind = play.chair_start.translation.x() + kBehindChair,
-                   y = play.chair_start.translation.y();
-      route.walk({{-0.9, -0.85}, {0.2, -1.36}, {1.2, -1.4}, {behind + 0.22, -1.15}, {behind + 0.18, y}},
-                 random.uniform(0.95, 1.1));
-      route.turn(-std::numbers::pi / 2);
-      route.walk({{behind, y}}, 0.5);
-      route.turn(-std::numbers::pi / 2);
-      route.wait(0.3);
-      const double pushing = route.end();
-      route.wait(0.7);
-      route.push_ahead(0.9, 0.5);
-      route.wait(0.7);
-      route.note(Act::push, pushing);
-    } else {
-      route.walk({{-0.9, -0.95}, {0.0, -1.36}, {0.8, -1.36}}, random.uniform(0.85, 1.0));
-      route.turn(random.uniform(2.4, 3.4));
-    }
-    const double talking = route.end();
-    route.wait(random.uniform(1.5, 2.5));
-    route.note(Act::talk, talking);
-    route.walk({{0.6, -1.36}, {-0.3, -1.36}, {-1.0, -0.8}, at_desk}, random.uniform(0.85, 1.0));
-    route.turn(std::numbers::pi);
-    const double picking = route.end();
-    route.wait(kHandling);
-    route.note(Act::pick, picking, box_place);
-    carried_since = route.end();
-    route.walk({{-1.1, -0.8}, {-0.5, -1.36}, {0.4, -1.38}}, random.uniform(0.7, 0.85));
-    route.turn(route.last().yaw + std::numbers::pi * 0.6);
-    route.wait(0.8);
-    route.walk({{-0.4, -1.38}, {-1.2, -1.25}, {-1.5, -1.0}}, random.uniform(0.7, 0.85));
-  }
-  return play;
-}
 
 }  // namespace stdc

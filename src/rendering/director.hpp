@@ -17,7 +17,6 @@ std::vector<Route> direct_walkers(double seconds, std::uint64_t seed);
 struct BoxPlay {
   Route route;
   Pose chair_start;
-  std::vector<Pose> box_places;  ///< where it is set down, in turn
 };
 BoxPlay direct_box_carrier(double seconds, std::uint64_t seed);
 

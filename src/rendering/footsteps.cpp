@@ -3,21 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/motion_curves.hpp"
+
 namespace stdc {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using motion::smooth;
 
 constexpr double kToeOut = 0.11;                       // [rad]
 constexpr double kBall = -0.125, kHeel = 0.055;        // y of where the foot rolls, from the ankle [m]
 constexpr double kPushOff = 0.62, kHeelStrike = -0.3;  // pitch of the foot in a full stride [rad]
 constexpr double kFullStride = 0.6;                    // [m]
-
-double smooth(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3 - 2 * x);
-}
 
 /// Minimum jerk (Flash and Hogan 1985): how a limb goes from one place to another.
 double min_jerk(double x) { return x * x * x * (10 + x * (-15 + 6 * x)); }

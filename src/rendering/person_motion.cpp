@@ -6,37 +6,23 @@
 
 #include "core/random.hpp"
 #include "rendering/furniture.hpp"
+#include "rendering/motion_curves.hpp"
 
 namespace stdc {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using motion::about_x;
+using motion::about_y;
+using motion::about_z;
+using motion::smooth;
+using motion::soft_min;
+using motion::wave;
 
 constexpr double kBlend = 0.7;    // time to take up or give up a gesture [s]
 constexpr double kSitting = 1.5;  // time to sit down or get up [s]
 constexpr double kPlacing = 1.3;  // time to set a box down [s]
-
-double smooth(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * (3 - 2 * x);
-}
-
-double soft_min(double a, double b, double k) {
-  const double h = std::max(k - std::abs(a - b), 0.0) / k;
-  return std::min(a, b) - 0.25 * k * h * h;
-}
-
-Quaterniond about(const Vector3d& axis, double radians) {
-  return Quaterniond(Eigen::AngleAxisd(radians, axis));
-}
-Quaterniond about_x(double radians) { return about(Vector3d::UnitX(), radians); }
-Quaterniond about_y(double radians) { return about(Vector3d::UnitY(), radians); }
-Quaterniond about_z(double radians) { return about(Vector3d::UnitZ(), radians); }
-
-double wave(double time, double period, double phase) {
-  return std::sin(2 * std::numbers::pi * time / period + phase);
-}
 
 }  // namespace
 
@@ -145,95 +131,6 @@ void PersonMotion::pose_legs(double time, BodyPose& pose) const {
     // The shoe stays where the steps put it; only if the leg is too short does it follow the leg.
     const Vector3d ankle = pose[shin] * (plan_.end(shin) - plan_.joint(shin));
     pose[foot] = Pose(world_from_foot.rotation, ankle);
-  }
-}
-
-void PersonMotion::move_arm(bool left, const Vector3d& wrist, const Vector3d& elbow_towards, double share,
-                            BodyPose& pose) const {
-  const Bone upper = left ? Bone::left_upper_arm : Bone::right_upper_arm,
-             lower = static_cast<Bone>(index(upper) + 1);
-  const Quaterniond upper_before = pose[upper].rotation, lower_before = pose[lower].rotation;
-  reach(plan_, upper, lower, wrist, elbow_towards, -Vector3d::UnitX(), pose);
-  pose[upper].rotation = upper_before.slerp(share, pose[upper].rotation);
-  pose[lower] = Pose(lower_before.slerp(share, pose[lower].rotation),
-                     pose[upper] * (plan_.end(upper) - plan_.joint(upper)));
-  attach(plan_, static_cast<Bone>(index(upper) + 2), Quaterniond::Identity(), pose);
-}
-
-Pose PersonMotion::held_box(double time) const {
-  const Stance body = route_.at(time);
-  const Doing now = doing(time);
-  const double bob = 0.3 * (pelvis(time, body, {}).translation.z() - plan_.joint(Bone::pelvis).z());
-  const Vector3d ahead(forward(body.yaw).x(), forward(body.yaw).y(), 0);
-  const Vector3d at =
-      Vector3d(body.position.x(), body.position.y(), 0.98 * plan_.scale() + bob) + 0.36 * ahead;
-  Pose pose(about_z(body.yaw), at);
-  if (now.act == Act::place || now.act == Act::pick) {
-    const double a = now.amount;
-    const Vector3d lifted(0, 0, 0.05 * std::sin(std::numbers::pi * a));
-    pose = Pose(pose.rotation.slerp(a, now.place.rotation),
-                pose.translation + a * (now.place.translation - pose.translation) + lifted);
-  }
-  return pose;
-}
-
-void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyPose& pose) const {
-  const double pace = std::min(1.0, route_.speed(time));
-  const double swing = 0.44 * stride / 0.6;
-  const Vector3d up(0, 0, 1), ahead = pose[Bone::chest].rotation * Vector3d(0, -1, 0);
-  const Vector3d to_left = pose[Bone::chest].rotation * Vector3d(1, 0, 0);
-  for (const bool left : {true, false}) {
-    const double out = left ? 1 : -1;
-    const Bone upper = left ? Bone::left_upper_arm : Bone::right_upper_arm,
-               lower = static_cast<Bone>(index(upper) + 1);
-    // The arm of one side goes forward (negative about x) with the foot of the other.
-    const double back = out * swing + 0.04 * wave(time, 5.9, phase_[left ? 1 : 2]);
-    attach(plan_, upper, about_x(back) * about_y(out * 0.30), pose);
-    attach(plan_, lower, about_x(-0.2 - 0.1 * pace - 0.45 * std::max(0.0, -back)), pose);
-    attach(plan_, static_cast<Bone>(index(upper) + 2), Quaterniond::Identity(), pose);
-    const Vector3d elbow_out = -up + 0.4 * out * to_left - 0.3 * ahead;
-    switch (now.act) {
-      case Act::sit: {
-        const Bone thigh = left ? Bone::left_thigh : Bone::right_thigh;
-        const Vector3d knee = pose[thigh] * (plan_.end(thigh) - plan_.joint(thigh));
-        const Vector3d on_lap =
-            pose[thigh].translation + 0.62 * (knee - pose[thigh].translation) + 0.11 * up - 0.05 * ahead;
-        move_arm(left, on_lap, elbow_out, smooth(2 * now.amount - 1), pose);
-        break;
-      }
-      case Act::phone:
-        if (!left) {  // the hand reaches from before the shoulder up to the ear
-          const Vector3d before = pose[upper].translation + 0.06 * up + 0.15 * ahead - 0.01 * to_left;
-          move_arm(false, before, elbow_out, now.amount, pose);
-        }
-        break;
-      case Act::talk: {
-        const double beat = wave(time, 1.7, phase_[left ? 0 : 3]) * (0.6 + 0.4 * wave(time, 4.1, phase_[2]));
-        const Vector3d front =
-            pose[Bone::chest].translation + 0.33 * ahead + out * 0.17 * to_left + (0.02 + 0.09 * beat) * up;
-        move_arm(left, front, elbow_out,
-                 now.amount * (left ? 0.9 : smooth(0.6 + 0.6 * wave(time, 5, phase_[1]))), pose);
-        break;
-      }
-      case Act::carry:
-      case Act::place:
-      case Act::pick: {
-        const Pose box = held_box(time);
-        const Vector3d grip = box * Vector3d(out * (0.5 * kBoxSize[0] + 0.035), 0.02, 0.09) - 0.10 * ahead;
-        move_arm(left, grip, elbow_out, now.holding, pose);
-        break;
-      }
-      case Act::push: {
-        const Eigen::Vector2d way = forward(route_.at(time).yaw);
-        Vector3d rest =
-            pose[Bone::pelvis].translation + 0.37 * Vector3d(way.x(), way.y(), 0) + out * 0.16 * to_left;
-        rest.z() = kSeatHeight + 0.61;  // on the back rest
-        move_arm(left, rest, elbow_out, now.amount, pose);
-        break;
-      }
-      case Act::idle:
-        break;
-    }
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include "rendering/body_pose.hpp"
 #include "rendering/footsteps.hpp"
@@ -29,14 +29,19 @@ class PersonMotion {
     double holding = 0;  ///< how firmly the hands are at the box
     Pose place;
   };
+  /// Where a wrist wants to be, and how much the arm follows instead of swinging.
+  struct Grasp {
+    Eigen::Vector3d wrist;
+    double share = 1;
+  };
   Doing doing(double time) const;
   Pose pelvis(double time, const Stance& body, const Doing& now) const;
   double standing_height(double time, const Stance& body) const;
   void pose_trunk(double time, const Doing& now, double stride, BodyPose& pose) const;
   void pose_legs(double time, BodyPose& pose) const;
   void pose_arms(double time, const Doing& now, double stride, BodyPose& pose) const;
-  void move_arm(bool left, const Eigen::Vector3d& wrist, const Eigen::Vector3d& elbow_towards, double share,
-                BodyPose& pose) const;
+  std::optional<Grasp> grasp(bool left, double time, const Doing& now, const BodyPose& pose) const;
+  void move_arm(bool left, const Grasp& grasp, const Eigen::Vector3d& elbow_towards, BodyPose& pose) const;
 
   BodyPlan plan_;
   Route route_;
