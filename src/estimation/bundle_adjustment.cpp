@@ -16,7 +16,6 @@ constexpr double kFirstDamping = 1e-4;
 constexpr double kSmallestDamping = 1e-9;
 constexpr double kLargestDamping = 1e8;
 constexpr kernels::Gate kInlier{kChiSquare95Pixel, kChiSquare95Depth};
-constexpr kernels::Gate kTakesPart{kChiSquare99Pixel, kChiSquare99Depth};
 
 /// Poses and points between which the solver steps.
 struct State {
@@ -160,11 +159,11 @@ BundleResult bundle_adjust(const Camera& camera, BundleProblem& problem, const N
   BundleSolver solver(camera, problem, *packed);
   result.initial_cost = solver.linearise(solver.state());
   solver.minimise(settings.robust_iterations, settings.relative_decrease_to_stop, &result.iterations);
-  if (settings.final_iterations > 0) {
-    solver.classify(kTakesPart);
-    solver.minimise(settings.final_iterations, settings.relative_decrease_to_stop, &result.iterations);
-  }
   result.final_cost = solver.classify(kInlier);
+  if (settings.final_iterations > 0) {
+    solver.minimise(settings.final_iterations, settings.relative_decrease_to_stop, &result.iterations);
+    result.final_cost = solver.classify(kInlier);
+  }
   if (!solver.stepped() || !std::isfinite(result.initial_cost) || !std::isfinite(result.final_cost)) {
     result.final_cost = result.initial_cost;
     return result;

@@ -4,12 +4,10 @@
 
 namespace stdc {
 
-/// Quantiles of the chi-square distribution for a pixel (two degrees of freedom) and for an inverse depth
-/// (one). Beyond 95 % a measurement is told to be an outlier, and there the Huber kernel bends from square to
-/// linear.
+/// 95 % quantiles of the chi-square distribution for a pixel (two degrees of freedom) and for an inverse
+/// depth (one). Beyond them the Huber kernel bends from square to linear, and in the later rounds of an
+/// optimisation a measurement is an outlier and set aside.
 inline constexpr double kChiSquare95Pixel = 5.991, kChiSquare95Depth = 3.841;
-/// Beyond 99 % a measurement is set aside in the later rounds of an optimisation.
-inline constexpr double kChiSquare99Pixel = 9.210, kChiSquare99Depth = 6.635;
 
 /// Huber's cost rho of a squared, normalised residual, with the bend at the residual sqrt(bend_squared).
 inline double huber_cost(double chi_square, double bend_squared) {

@@ -23,7 +23,6 @@ constexpr double kLargestDamping = 1e6;
 // its information once the others are estimated too is not determined by the observations.
 constexpr double kSingular = 1e-10;
 constexpr kernels::Gate kInlier{kChiSquare95Pixel, kChiSquare95Depth};
-constexpr kernels::Gate kTakesPart{kChiSquare99Pixel, kChiSquare99Depth};
 
 bool is_sane(const PoseObservation& o) {
   return o.point_in_world.cwiseAbs().maxCoeff() < kLargest && o.pixel.cwiseAbs().maxCoeff() < kLargest &&
@@ -182,18 +181,15 @@ PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseO
   PoseSolver solver(camera, problem, prior);
   Pose pose = initial_cam_from_world;
   Linearisation at = solver.linearise(pose, nullptr);
-  std::vector<std::uint8_t> taking_part = solver.selection();
+  std::vector<std::uint8_t> inlier = solver.selection();
   for (int round = 0; round < settings.rounds && at.is_finite(); ++round) {
     solver.minimise(settings.iterations_per_round, &pose, &at);
-    at = solver.linearise(pose, &kTakesPart);
+    at = solver.linearise(pose, &kInlier);
     std::vector<std::uint8_t> now = solver.selection();
-    if (now == taking_part) break;
-    taking_part.swap(now);
+    if (now == inlier) break;
+    inlier.swap(now);
   }
-  if (count(taking_part) < enough || !at.is_finite() || !is_determined(at.hessian)) return result;
-  solver.linearise(pose, &kInlier);
-  const std::vector<std::uint8_t> inlier = solver.selection();
-  if (count(inlier) < enough) return result;
+  if (count(inlier) < enough || !at.is_finite() || !is_determined(at.hessian)) return result;
 
   result.usable = true;
   result.cam_from_world = pose;

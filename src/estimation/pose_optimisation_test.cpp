@@ -45,7 +45,8 @@ TEST(PoseOptimisation, IsExactWithoutNoise) {
 }
 
 /// The error in units of the information matrix is chi-square with 6 degrees of freedom if the noise is as
-/// said and the matrix is right: mean 6, standard deviation sqrt(12 / count).
+/// said and the matrix is right: mean 6, standard deviation sqrt(12 / count). The gate at 95 % raises it by a
+/// fifth.
 void expect_consistent(const Options& base, double tolerance) {
   double sum = 0;
   constexpr int kCount = 200;
@@ -58,7 +59,7 @@ void expect_consistent(const Options& base, double tolerance) {
     const Vector6d error = error_of(result, scene);
     sum += error.dot(result.information * error);
   }
-  EXPECT_NEAR(sum / kCount, 6.0, tolerance);
+  EXPECT_NEAR(sum / kCount, 7.0, tolerance);
 }
 
 TEST(PoseOptimisation, ErrorsAreAsTheInformationMatrixSays) { expect_consistent(clean(), 1.0); }
@@ -71,7 +72,7 @@ TEST(PoseOptimisation, ErrorsAreAsTheInformationMatrixSaysWithoutDepth) {
 
 TEST(PoseOptimisation, ErrorsGrowLittleWithOutliers) {
   Options options;  // 7 % wrong pixels, 5 % wrong depths
-  expect_consistent(options, 1.5);
+  expect_consistent(options, 1.0);
 }
 
 TEST(PoseOptimisation, TellsOutliersAmongHalf) {
@@ -187,6 +188,24 @@ TEST(PoseOptimisation, ThreeObservationsWithDepthAreEnough) {
   const auto result = solve(scene, 0.02, 0.02);
   ASSERT_TRUE(result.usable);
   EXPECT_LT(error_of(result, scene).norm(), 1e-4);
+}
+
+TEST(PoseOptimisation, APriorAsCertainAsTheObservationsMeetsThemHalfWay) {
+  Options options = clean();
+  options.noise = 0;
+  const PoseScene scene = make_pose_scene(options, 100);
+  const auto alone = solve(scene, 0, 0);
+  Vector6d offset;
+  offset << 0.002, -0.001, 0.003, 0.001, 0.002, -0.001;
+  PosePrior prior{Pose::exp(offset) * scene.truth, alone.information};
+  const auto both =
+      optimise_pose(scene.camera, scene.observations, prior.cam_from_world, scene.sigma, {}, prior);
+  ASSERT_TRUE(both.usable);
+  EXPECT_LT((error_of(both, scene) - 0.5 * offset).norm(), 0.05 * offset.norm());
+  prior.information *= 1e6;
+  const auto stubborn = optimise_pose(scene.camera, scene.observations, scene.truth, scene.sigma, {}, prior);
+  ASSERT_TRUE(stubborn.usable);
+  EXPECT_LT((error_of(stubborn, scene) - offset).norm(), 1e-4 * offset.norm());
 }
 
 TEST(PoseOptimisation, IsDeterministic) {
