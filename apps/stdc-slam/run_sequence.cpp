@@ -85,10 +85,10 @@ void track_all(std::span<const SequenceFrame> frames, const Camera& camera, cons
       pictures->add_frame(frame->image->colour, summary.first_frame + frame->index, result);
     }
     if (interrupts.interrupted()) {
-      throw Error(
-          "interrupted",
-          fmt::format("stopped after {} of {} frames, nothing was written", frame->index + 1, frames.size()),
-          "start again, perhaps with --frames");
+      // Said here, because the signal ends the program as soon as the watch is gone.
+      progress.message(fmt::format("stdc-slam: interrupted after {} of {} frames; nothing was written",
+                                   frame->index + 1, frames.size()));
+      throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
     }
     progress.update(frame->index + 1);
   }
