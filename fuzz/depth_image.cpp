@@ -1,14 +1,27 @@
-// Depth images: 16-bit PNG.
+// Depth images: 16-bit PNG; also with their check sums put right.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 #include "core/image_codec.hpp"
+#include "png_builder.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const cv::Size image_size(40, 24);
-  const stdc::DecodedImage decoded = stdc::decode_depth({data, size}, image_size);
+namespace {
+
+void decode(stdc::Bytes bytes) {
+  const stdc::DecodedImage decoded = stdc::decode_depth(bytes, {40, 24});
   if (decoded.image.empty() == decoded.problem.empty()) std::abort();
   if (!decoded.image.empty() && decoded.image.type() != CV_16UC1) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  decode({data, size});
+  if (stdc::is_png({data, size})) {
+    decode(stdc::fuzz::with_good_check_sums({data, size}));
+  } else {
+    decode(stdc::fuzz::wrapped({data, size}, 40, 24));
+  }
   return 0;
 }

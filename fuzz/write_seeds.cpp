@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "core/image_codec.hpp"
 #include "core/random.hpp"
@@ -41,5 +42,17 @@ int main(int argc, char** argv) {
   write(folder / "colour_image/colour.jpg", stdc::encode_jpeg(picture(CV_8UC3)));
   write(folder / "colour_image/grey.jpg", stdc::encode_jpeg(picture(CV_8UC1), 50));
   write(folder / "depth_image/depth.png", stdc::encode_png(picture(CV_16UC1)));
+  // What png_builder.hpp wraps: header bytes and filtered rows, here with each filter in turn.
+  for (const auto& [target, bits, colour, pixel_bytes] :
+       {std::tuple{"colour_image/rows_rgb", 8, 2, 3}, std::tuple{"colour_image/rows_grey", 8, 0, 1},
+        std::tuple{"depth_image/rows", 16, 0, 2}}) {
+    std::vector<std::uint8_t> rows{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(colour), 0, 0,
+                                   0};
+    for (int y = 0; y < 24; ++y) {
+      rows.push_back(static_cast<std::uint8_t>(y % 5));
+      for (int i = 0; i < 40 * pixel_bytes; ++i) rows.push_back(static_cast<std::uint8_t>(i * y));
+    }
+    write(folder / target, rows);
+  }
   return 0;
 }
