@@ -42,8 +42,9 @@ struct FeatureExtractor::Implementation {
   }
   float scale(int level) const { return static_cast<float>(std::pow(settings.scale_factor, level)); }
   void detect(const cv::Mat& grey);
-  Features select(const cv::Mat& dynamic_mask);
-  std::span<const Corner> static_corners(int level);
+  void reject(const cv::Mat& dynamic_mask);
+  Features select();
+  void check_detected(const char* what) const;
   int select_level(int level, int budget, Features& features);
 
   FeatureSettings settings;
@@ -52,13 +53,16 @@ struct FeatureExtractor::Implementation {
   std::vector<std::vector<Corner>> corners;  // by level, at T_L
   std::vector<PaddedImage> smoothed;         // by level
   DynamicArea dynamic;
-  std::vector<Corner> kept;
   CandidateChooser chooser;
   std::vector<Candidate> candidates;
   Quadtree quadtree;
   SteeredBrief brief;
   std::vector<SelectionCell> cells;
 };
+
+void FeatureExtractor::Implementation::check_detected(const char* what) const {
+  if (pyramid.levels() == 0) throw Error(what, "no image was given", "call detect() before it");
+}
 
 void FeatureExtractor::Implementation::detect(const cv::Mat& grey) {
   check_image(grey, "FeatureExtractor::detect");
@@ -75,24 +79,29 @@ void FeatureExtractor::Implementation::detect(const cv::Mat& grey) {
   }
 }
 
-std::span<const Corner> FeatureExtractor::Implementation::static_corners(int level) {
-  if (dynamic.empty()) return corners[at(level)];
+void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
+  check_detected("FeatureExtractor::reject");
+  if (dynamic_mask.empty()) return;
+  check_image(dynamic_mask, "FeatureExtractor::reject");
+  if (dynamic_mask.size() != pyramid.sizes()[0]) {
+    throw Error("FeatureExtractor::reject", "the mask is not of the size of the image", "resize the mask");
+  }
+  dynamic.set(dynamic_mask);
+  if (dynamic.empty()) return;
   // The circle of FAST and the smoothing of the pixels beside the corner stay off the dynamic object; to keep
   // the whole descriptor patch off would cost the static points near people, which hold the pose best.
   constexpr float kMargin = 4;  // level pixels
-  const float s = scale(level);
-  kept.clear();
-  for (const Corner& corner : corners[at(level)]) {
-    if (!dynamic.touches(level_to_image(corner.x, s), level_to_image(corner.y, s), kMargin * s)) {
-      kept.push_back(corner);
-    }
+  for (int level = 0; level < pyramid.levels(); ++level) {
+    const float s = scale(level);
+    std::erase_if(corners[at(level)], [&](const Corner& corner) {
+      return dynamic.touches(level_to_image(corner.x, s), level_to_image(corner.y, s), kMargin * s);
+    });
   }
-  return kept;
 }
 
 int FeatureExtractor::Implementation::select_level(int level, int budget, Features& features) {
   const ImageView image = pyramid.level(level).view();
-  candidates = chooser.choose(static_corners(level), area(level), budget, settings);
+  candidates = chooser.choose(corners[at(level)], area(level), budget, settings);
   if (settings.selection == Selection::improved) {
     for (Candidate& candidate : candidates)
       candidate.response = harris_response(image, candidate.x, candidate.y);
@@ -115,17 +124,8 @@ int FeatureExtractor::Implementation::select_level(int level, int budget, Featur
   return static_cast<int>(winners.size());
 }
 
-Features FeatureExtractor::Implementation::select(const cv::Mat& dynamic_mask) {
-  if (pyramid.levels() == 0) {
-    throw Error("FeatureExtractor::select", "no image was given", "call detect() before it");
-  }
-  if (!dynamic_mask.empty()) {
-    check_image(dynamic_mask, "FeatureExtractor::select");
-    if (dynamic_mask.size() != pyramid.sizes()[0]) {
-      throw Error("FeatureExtractor::select", "the mask is not of the size of the image", "resize the mask");
-    }
-  }
-  dynamic.set(dynamic_mask);
+Features FeatureExtractor::Implementation::select() {
+  check_detected("FeatureExtractor::select");
   Features features;
   features.keypoints.reserve(at(settings.keypoints));
   features.descriptors.reserve(at(settings.keypoints));
@@ -148,12 +148,11 @@ FeatureExtractor& FeatureExtractor::operator=(FeatureExtractor&&) noexcept = def
 
 Features FeatureExtractor::extract(const cv::Mat& grey) {
   detect(grey);
-  return select({});
+  return select();
 }
 void FeatureExtractor::detect(const cv::Mat& grey) { implementation_->detect(grey); }
-Features FeatureExtractor::select(const cv::Mat& dynamic_mask) {
-  return implementation_->select(dynamic_mask);
-}
+void FeatureExtractor::reject(const cv::Mat& dynamic_mask) { implementation_->reject(dynamic_mask); }
+Features FeatureExtractor::select() { return implementation_->select(); }
 int FeatureExtractor::levels(cv::Size image_size) const {
   return level_count(implementation_->settings, image_size);
 }

@@ -22,8 +22,8 @@ struct SelectionCell {
 ///     FeatureExtractor extractor({.keypoints = 1000});
 ///     Features features = extractor.extract(grey);
 ///
-/// The two halves can also be called apart, with a mask of dynamic pixels between them: `detect` needs the
-/// image only and may run beside segmentation; `select` spends the whole budget on the static candidates.
+/// The steps can also be called apart: `detect` needs the image only and may run beside segmentation, `reject`
+/// drops what lies on dynamic pixels, and `select` spends the whole budget on the static candidates.
 /// An extractor keeps its buffers between images; use one per thread. Same image, same bytes.
 class FeatureExtractor {
  public:
@@ -33,13 +33,16 @@ class FeatureExtractor {
   FeatureExtractor(FeatureExtractor&&) noexcept;
   FeatureExtractor& operator=(FeatureExtractor&&) noexcept;
 
-  /// `grey`: CV_8UC1, any size of at least 64 x 64. Equal to detect() and then select({}).
+  /// `grey`: CV_8UC1, any size of at least 64 x 64. Equal to detect() and then select().
   Features extract(const cv::Mat& grey);
   /// Builds the pyramid and finds the candidates (Alg. 2). `grey` is copied.
   void detect(const cv::Mat& grey);
-  /// Drops the candidates on pixels where `dynamic_mask` (CV_8UC1, size of the image; empty: none) is not
-  /// zero, then selects (Alg. 3), orients and describes the rest. To be called once after detect().
-  Features select(const cv::Mat& dynamic_mask);
+  /// Drops the candidates on or within 4 pixels of their level of pixels where `dynamic_mask` (CV_8UC1, size
+  /// of the image; empty: none) is not zero.
+  void reject(const cv::Mat& dynamic_mask);
+  /// Selects among the candidates that are left (Alg. 3), orients and describes. To be called once after
+  /// detect().
+  Features select();
 
   int levels(cv::Size image_size) const;
   /// Scale of a level: level-0 pixels per pixel of that level, scale_factor^level.

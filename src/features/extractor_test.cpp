@@ -77,14 +77,15 @@ TEST(Extractor, ServesEverySizeAndContent) {
 TEST(Extractor, RefusesWhatItCannotUse) {
   FeatureExtractor extractor;
   EXPECT_THROW(FeatureExtractor({.keypoints = 1}), Error);
-  EXPECT_THROW(extractor.select({}), Error);
+  EXPECT_THROW(extractor.select(), Error);
+  EXPECT_THROW(extractor.reject({}), Error);
   EXPECT_THROW(extractor.extract({}), Error);
   EXPECT_THROW(extractor.extract(cv::Mat(63, 640, CV_8UC1)), Error);
   EXPECT_THROW(extractor.extract(cv::Mat(480, 640, CV_8UC3)), Error);
   EXPECT_THROW(extractor.extract(cv::Mat(480, 640, CV_32FC1)), Error);
   extractor.detect(test::noise_image(100, 80, 1));
-  EXPECT_THROW(extractor.select(cv::Mat(80, 101, CV_8UC1, cv::Scalar(0))), Error);
-  EXPECT_THROW(extractor.select(cv::Mat(80, 100, CV_8UC3, cv::Scalar(0))), Error);
+  EXPECT_THROW(extractor.reject(cv::Mat(80, 101, CV_8UC1, cv::Scalar(0))), Error);
+  EXPECT_THROW(extractor.reject(cv::Mat(80, 100, CV_8UC3, cv::Scalar(0))), Error);
 }
 
 TEST(Extractor, GivesTheSameBytesAgainAndOnEveryTarget) {
@@ -133,7 +134,8 @@ TEST(Extractor, TheMaskTakesKeypointsAndTheBudgetGoesToTheRest) {
   for (const Selection selection : {Selection::improved, Selection::orb_slam3}) {
     FeatureExtractor extractor({.selection = selection, .keypoints = 400});
     extractor.detect(image);
-    const Features features = extractor.select(mask);
+    extractor.reject(mask);
+    const Features features = extractor.select();
     expect_sound(features, extractor, image.size());
     EXPECT_EQ(features.keypoints.size(), 400U);
     for (const Keypoint& k : features.keypoints) {
@@ -157,7 +159,8 @@ TEST(Extractor, LowCandidatesStepInForMaskedHighOnes) {
   const Features all = extractor.extract(image);
   EXPECT_TRUE(std::all_of(all.keypoints.begin(), all.keypoints.end(), is_high));
   extractor.detect(image);
-  const Features masked = extractor.select(mask);
+  extractor.reject(mask);
+  const Features masked = extractor.select();
   EXPECT_GT(masked.keypoints.size(), 4U);
   EXPECT_TRUE(std::none_of(masked.keypoints.begin(), masked.keypoints.end(), is_high));
 }
@@ -165,7 +168,8 @@ TEST(Extractor, LowCandidatesStepInForMaskedHighOnes) {
 TEST(Extractor, AFullMaskLeavesNothing) {
   FeatureExtractor extractor;
   extractor.detect(test::noise_image(200, 160, 2));
-  EXPECT_TRUE(extractor.select(cv::Mat(160, 200, CV_8UC1, cv::Scalar(255))).keypoints.empty());
+  extractor.reject(cv::Mat(160, 200, CV_8UC1, cv::Scalar(255)));
+  EXPECT_TRUE(extractor.select().keypoints.empty());
 }
 
 // Share of keypoints that are found again, within 2 px of their level, at the place that `move` says, and
