@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "datasets/text_file.hpp"
+#include "core/text_file.hpp"
 #include "score_report.hpp"
 
 namespace stdc::app {

@@ -7,8 +7,8 @@
 
 #include "core/image_codec.hpp"
 #include "core/random.hpp"
+#include "core/test_folder.hpp"
 #include "datasets/camera_file.hpp"
-#include "datasets/test_folder.hpp"
 
 namespace stdc::testing {
 

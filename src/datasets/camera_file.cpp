@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "datasets/text_file.hpp"
+#include "core/text_file.hpp"
 
 namespace stdc {
 namespace {

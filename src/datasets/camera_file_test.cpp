@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/test_folder.hpp"
+#include "core/test_folder.hpp"
 
 namespace stdc {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
-#include "datasets/text_file.hpp"
+#include "core/text_file.hpp"
 #include "datasets/tum_sequence.hpp"
 
 namespace stdc {

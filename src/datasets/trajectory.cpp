@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/error.hpp"
-#include "datasets/text_file.hpp"
+#include "core/text_file.hpp"
 
 namespace stdc {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/random.hpp"
-#include "datasets/test_folder.hpp"
+#include "core/test_folder.hpp"
 
 namespace stdc {
 namespace {

@@ -7,10 +7,10 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/image_list.hpp"
+#include "core/text_file.hpp"
 #include "datasets/association.hpp"
 #include "datasets/camera_file.hpp"
-#include "datasets/image_list.hpp"
-#include "datasets/text_file.hpp"
 
 namespace stdc {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/test_folder.hpp"
 #include "datasets/camera_file.hpp"
-#include "datasets/test_folder.hpp"
 
 namespace stdc {
 namespace {

@@ -1,10 +1,10 @@
-#include "datasets/text_file.hpp"
+#include "core/text_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "datasets/test_folder.hpp"
+#include "core/test_folder.hpp"
 
 namespace stdc {
 namespace {

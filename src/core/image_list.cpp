@@ -1,9 +1,9 @@
-#include "datasets/image_list.hpp"
+#include "core/image_list.hpp"
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "datasets/text_file.hpp"
+#include "core/text_file.hpp"
 
 namespace stdc {
 
