@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "features/every_target.hpp"
+#include "core/every_target.hpp"
 #include "features/test_images.hpp"
 
 namespace stdc {

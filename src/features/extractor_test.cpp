@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "features/every_target.hpp"
+#include "core/every_target.hpp"
 #include "features/fast.hpp"
 #include "features/hamming.hpp"
 #include "features/pyramid.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "features/every_target.hpp"
+#include "core/every_target.hpp"
 #include "features/test_images.hpp"
 
 namespace stdc {
