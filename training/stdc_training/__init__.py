@@ -1,0 +1,1 @@
+"""Training of the STDC networks that find people: data, networks, losses, export and scores."""

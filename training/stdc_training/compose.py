@@ -1,0 +1,88 @@
+"""People cut out of photos and pasted onto frames of rooms where nobody is."""
+
+import cv2
+import numpy as np
+
+from .views import affine, log_uniform, warp
+
+# Height of the camera over the height of a standing person: with it the horizon and the
+# person's height in the picture tell where the feet are.
+CAMERA_SHARE = 0.74
+
+
+def compose(rng, frame, cutouts, size):
+    """Paste each cutout (entry, packed image) onto the RGB frame; return (image, label).
+
+    Small, that is distant, people first, so that near ones hide them. frame is changed.
+    """
+    label = np.zeros(frame.shape[:2], np.uint8)
+    horizon = rng.uniform(0.3, 0.65)
+    heights = np.sort([log_uniform(rng, 0.3, 2.6) for _ in cutouts])
+    for (entry, image), height in zip(cutouts, heights):
+        frame, label = paste(rng, frame, label, entry, image, (height, horizon), size)
+    return frame, label
+
+
+def paste(rng, frame, label, entry, image, place, size):
+    """Paste one person of `place` = (height, horizon) in shares of the frame's height."""
+    width, height = size
+    share, horizon = place
+    x0, y0, x1, y1 = entry["box"]
+    bottom = horizon + CAMERA_SHARE * share + rng.normal(0, 0.08)
+    if rng.random() < 0.25:
+        bottom = rng.uniform(0.4, 0.3 + share)
+    if y1 >= entry["shape"][0] - 2:  # cut off by the photo: the frame has to cut it off too
+        bottom = max(bottom, 1.0)
+    source_height = (y1 - y0) / share
+    across = rng.uniform(-0.05, 1.05)
+    if x0 <= 1 or x1 >= entry["shape"][1] - 1:
+        across = rng.choice([0.0, 1.0]) if share < 1 else across
+    centre_x = (x0 + x1) / 2 + (0.5 - across) * source_height * width / height
+    centre_y = y1 + (0.5 - bottom) * source_height
+    matrix = affine((centre_x, centre_y), source_height, size, rng.normal(0, 0.05),
+                    log_uniform(rng, 0.88, 1.12), rng.random() < 0.5)
+    cut = np.dstack([image[..., :3], (image[..., 3] == 1).astype(np.uint8) * 255])
+    colour, alpha = _warped_cutout(cut, matrix, size)
+    alpha = cv2.GaussianBlur(alpha, (0, 0), rng.uniform(0.5, 1.1)).astype(np.float32) / 255
+    alpha = np.clip((alpha - 0.15) / 0.7, 0, 1)  # a little inwards: less of the old background
+    inside = alpha > 0.5
+    if not inside.any():
+        return frame, label
+    colour = harmonised(rng, colour, inside, frame)
+    frame = (frame + alpha[..., None] * (colour - frame)).astype(np.uint8)
+    return frame, np.where(inside, np.uint8(1), label)
+
+
+def _warped_cutout(cut, matrix, size):
+    colour, _ = warp(cut, matrix, size, cv2.BORDER_REPLICATE)
+    alpha = cv2.warpAffine(np.ascontiguousarray(cut[..., 3]), matrix, size,
+                           flags=cv2.WARP_INVERSE_MAP | cv2.INTER_LINEAR,
+                           borderMode=cv2.BORDER_CONSTANT)
+    return colour, alpha
+
+
+def harmonised(rng, colour, inside, frame):
+    """The person's colours brought part of the way to the frame's light; float32."""
+    person = colour[inside].mean() + 1
+    gain = np.clip((frame.mean() + 1) / person, 0.4, 2.0) ** rng.uniform(0.2, 0.9)
+    gain *= np.exp(rng.normal(0, 0.1)) * np.exp(rng.normal(0, 0.04, 3))
+    return np.clip(colour * gain.astype(np.float32), 0, 255).astype(np.float32)
+
+
+def hide(rng, image, label, other):
+    """Cover part of the people with a piece of another frame: furniture in front of them."""
+    height, width = label.shape
+    mask = np.zeros((height, width), np.uint8)
+    if rng.random() < 0.5:  # a desk: everything below a sloping line
+        left, right = height * rng.uniform(0.5, 1.0, 2)
+        corners = [(0, left), (width, right), (width, height), (0, height)]
+    else:  # a cabinet, a monitor, a door frame
+        w, h = width * rng.uniform(0.08, 0.4), height * rng.uniform(0.15, 0.7)
+        x, y = rng.uniform(-0.1, 1) * width, rng.uniform(0.2, 1) * height
+        corners = np.array([(x, y), (x + w, y), (x + w, y + h), (x, y + h)])
+        corners = corners + rng.normal(0, 0.03 * width, (4, 2))
+    cv2.fillConvexPoly(mask, np.int32(np.round(corners)), 1)
+    hidden = mask.astype(bool)
+    image[hidden] = other[hidden]
+    label[hidden] = 0
+    return image, label

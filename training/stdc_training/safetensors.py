@@ -1,0 +1,59 @@
+"""Reading and writing of .safetensors files with numpy arrays.
+
+Layout: u64 little-endian length of the header, JSON header, then the data of all tensors
+(https://huggingface.co/docs/safetensors). Written with sorted names and a header padded to
+8 bytes, so that the same tensors always give the same bytes.
+"""
+
+import json
+import os
+import struct
+
+import numpy as np
+
+_NAMES = {np.dtype("float32"): "F32", np.dtype("float16"): "F16", np.dtype("int8"): "I8",
+          np.dtype("uint8"): "U8", np.dtype("int64"): "I64"}
+_TYPES = {name: dtype for dtype, name in _NAMES.items()}
+
+
+def write(path, tensors, metadata=None):
+    """Write {name: array} and {string: string}; the file appears whole or not at all."""
+    header, offset, chunks = {}, 0, []
+    if metadata:
+        header["__metadata__"] = dict(sorted(metadata.items()))
+    for name in sorted(tensors):
+        array = np.ascontiguousarray(tensors[name])
+        if array.dtype not in _NAMES:
+            raise ValueError(f"{name}: type {array.dtype} cannot be written; convert it to float32")
+        end = offset + array.nbytes
+        header[name] = {"dtype": _NAMES[array.dtype], "shape": list(array.shape),
+                        "data_offsets": [offset, end]}
+        chunks.append(array.tobytes())
+        offset = end
+    text = json.dumps(header, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 8)
+    partial = f"{path}.partial"
+    with open(partial, "wb") as file:
+        file.write(struct.pack("<Q", len(text)))
+        file.write(text)
+        file.writelines(chunks)
+    os.replace(partial, path)
+
+
+def read(path):
+    """Return ({name: array}, {string: string}) of a file."""
+    with open(path, "rb") as file:
+        data = file.read()
+    if len(data) < 8:
+        raise ValueError(f"{path}: too short for a safetensors file")
+    length = struct.unpack_from("<Q", data)[0]
+    if length > len(data) - 8:
+        raise ValueError(f"{path}: the header of {length} bytes is longer than the file")
+    header = json.loads(data[8:8 + length])
+    metadata = header.pop("__metadata__", {})
+    tensors = {}
+    for name, entry in header.items():
+        begin, end = entry["data_offsets"]
+        array = np.frombuffer(data[8 + length + begin:8 + length + end], _TYPES[entry["dtype"]])
+        tensors[name] = array.reshape(entry["shape"])
+    return tensors, metadata

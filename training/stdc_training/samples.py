@@ -1,0 +1,87 @@
+"""Endless training samples: photos, composed rooms, empty rooms, rendered frames.
+
+Sample number i is made from the seed and i alone, so that a resumed training sees what an
+uninterrupted one would have seen, whatever the number of loading processes.
+"""
+
+import cv2
+import numpy as np
+import torch
+
+from . import people
+from .compose import compose, hide
+from .photometric import distort
+from .views import person_view, scene_view, warp
+
+# Shares of the kinds of samples; rooms (all but photos) are half of what the network sees.
+SHARES = {"photo": 0.5, "composed": 0.36, "empty": 0.14}
+SHARES_WITH_RENDERED = {"photo": 0.48, "composed": 0.32, "empty": 0.13, "render": 0.07}
+# Photos by kind. The street photos are many but all alike, so they count less than their number.
+PHOTO_SHARES = {"ccp_masked": 0.25, "ccp_teacher": 0.15, "lspet_teacher": 0.28,
+                "voc_teacher": 0.2, "human291_masked": 0.12}
+CUTOUT_SHARES = {"ccp_masked": 0.45, "ccp_teacher": 0.2, "lspet_teacher": 0.2,
+                 "human291_masked": 0.15}
+# A person smaller than this (share of the packed image's height) makes a poor cutout.
+LEAST_CUTOUT_HEIGHT = 0.35
+
+
+class Samples(torch.utils.data.Dataset):
+    """Sample i: (uint8 RGB [h, w, 3], uint8 label [h, w]) at size (width, height)."""
+
+    def __init__(self, folder, size, count, seed=0, rendered=None):
+        self._packed = people.Packed(folder, "train")
+        self._frames = people.Packed(folder, rendered) if rendered else None
+        self._size, self._count, self._seed = size, count, seed
+        self._shares = SHARES_WITH_RENDERED if rendered else SHARES
+        self._kinds, self._cutouts = {}, {}
+        for i, entry in enumerate(self._packed.index):
+            self._kinds.setdefault(entry["kind"], []).append(i)
+            if entry["box"] and entry["kind"] in CUTOUT_SHARES:
+                x0, y0, x1, y1 = entry["box"]
+                if y1 - y0 >= LEAST_CUTOUT_HEIGHT * entry["shape"][0]:
+                    self._cutouts.setdefault(entry["kind"], []).append(i)
+
+    def __len__(self):
+        return self._count
+
+    def __getitem__(self, i):
+        cv2.setNumThreads(1)
+        rng = np.random.default_rng([self._seed, i])
+        kind = rng.choice(list(self._shares), p=list(self._shares.values()))
+        image, label = getattr(self, f"_{kind}")(rng)
+        return torch.from_numpy(distort(rng, image)), torch.from_numpy(np.ascontiguousarray(label))
+
+    def _pick(self, rng, groups, shares):
+        kind = rng.choice(list(shares), p=list(shares.values()))
+        return int(rng.choice(groups[kind]))
+
+    def _photo(self, rng):
+        i = self._pick(rng, self._kinds, PHOTO_SHARES)
+        entry = self._packed.index[i]
+        by_person = entry["box"] is not None and rng.random() < 0.75
+        view = (person_view if by_person else scene_view)(rng, entry, self._size)
+        return warp(self._packed[i], view, self._size)
+
+    def _room(self, rng):
+        i = int(rng.choice(self._kinds[people.EMPTY]))
+        return warp(self._packed[i], scene_view(rng, self._packed.index[i], self._size), self._size)
+
+    def _empty(self, rng):
+        return self._room(rng)
+
+    def _composed(self, rng):
+        frame, _ = self._room(rng)
+        count = rng.choice([1, 2, 3], p=[0.6, 0.28, 0.12])
+        picks = [self._pick(rng, self._cutouts, CUTOUT_SHARES) for _ in range(count)]
+        cutouts = [(self._packed.index[i], self._packed[i]) for i in picks]
+        image, label = compose(rng, frame, cutouts, self._size)
+        if rng.random() < 0.25:
+            image, label = hide(rng, image, label, self._room(rng)[0])
+        return image, label
+
+    def _render(self, rng):
+        i = int(rng.integers(len(self._frames)))
+        entry = self._frames.index[i]
+        by_person = entry["box"] is not None and rng.random() < 0.5
+        view = (person_view if by_person else scene_view)(rng, entry, self._size)
+        return warp(self._frames[i], view, self._size)

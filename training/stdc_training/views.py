@@ -1,0 +1,89 @@
+"""Views of packed images: a random crop, scale, turn and mirroring as one affine warp.
+
+A view maps output pixels (x, y) to source pixels by a 2x3 matrix. Sizes are (width, height).
+"""
+
+import cv2
+import numpy as np
+
+# More enlargement than this shows nothing but blur.
+LARGEST_ENLARGEMENT = 2.2
+
+
+def log_uniform(rng, low, high):
+    return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+
+def affine(centre, source_height, size, angle=0.0, stretch=1.0, mirror=False):
+    """2x3 matrix of the view whose middle is `centre` in the source.
+
+    source_height: height of the view in source pixels; stretch: horizontal factor; angle: rad.
+    """
+    width, height = size
+    scale = source_height / height
+    c, s = np.cos(angle) * scale, np.sin(angle) * scale
+    across = -stretch if mirror else stretch
+    linear = np.array([[c * across, -s], [s * across, c]])
+    offset = np.asarray(centre) - linear @ np.array([(width - 1) / 2, (height - 1) / 2])
+    return np.column_stack([linear, offset])
+
+
+def warp(image, matrix, size, border=cv2.BORDER_REFLECT_101):
+    """Colour [h, w, 3] and label [h, w] of a view of a packed [h, w, 4] image.
+
+    Strong shrinking is preceded by a blur, because bilinear sampling alone would alias.
+    """
+    colour, label = image[..., :3], image[..., 3]
+    scale = np.sqrt(abs(np.linalg.det(matrix[:, :2])))
+    if scale > 1.3:
+        colour = cv2.GaussianBlur(colour, (0, 0), 0.4 * scale)
+    flags = cv2.WARP_INVERSE_MAP
+    return (
+        cv2.warpAffine(np.ascontiguousarray(colour), matrix, size,
+                       flags=flags | cv2.INTER_LINEAR, borderMode=border),
+        cv2.warpAffine(np.ascontiguousarray(label), matrix, size,
+                       flags=flags | cv2.INTER_NEAREST, borderMode=border),
+    )
+
+
+def _pose(rng):
+    return {"angle": rng.normal(0, 0.07), "stretch": log_uniform(rng, 0.85, 1.18),
+            "mirror": rng.random() < 0.5}
+
+
+def _limited_height(wanted, shape, size):
+    """The wanted view height, bounded by enlargement and by how much lies outside the source."""
+    height, width = shape
+    aspect = size[0] / size[1]
+    widest = min(1.3 * height, 1.7 * width / aspect)
+    return float(np.clip(wanted, size[1] / LARGEST_ENLARGEMENT, max(widest, 16)))
+
+
+def person_view(rng, entry, size):
+    """A view by the person's size in it: from a third of the frame to far larger than it."""
+    x0, y0, x1, y1 = entry["box"]
+    wanted = (y1 - y0) / log_uniform(rng, 0.35, 3.0)
+    source_height = _limited_height(wanted, entry["shape"], size)
+    centre = (x0 + (x1 - x0) * rng.uniform(-0.1, 1.1), y0 + (y1 - y0) * rng.beta(1.5, 2.0))
+    centre = _kept_inside(centre, source_height, entry["shape"], size, 0.15)
+    return affine(centre, source_height, size, **_pose(rng))
+
+
+def scene_view(rng, entry, size, largest=1.15):
+    """A view of any part of the image."""
+    height, width = entry["shape"]
+    fitting = min(height, width * size[1] / size[0])
+    source_height = max(fitting * log_uniform(rng, 0.4, largest), size[1] / LARGEST_ENLARGEMENT)
+    centre = (rng.uniform(0, width), rng.uniform(0, height))
+    centre = _kept_inside(centre, source_height, entry["shape"], size, 0.1)
+    return affine(centre, source_height, size, **_pose(rng))
+
+
+def _kept_inside(centre, source_height, shape, size, overhang):
+    """Move a view so that at most `overhang` of it lies outside the source, if it can."""
+    moved = []
+    extents = (source_height * size[0] / size[1], source_height)
+    for value, extent, length in zip(centre, extents, (shape[1], shape[0])):
+        margin = extent * (0.5 - overhang)
+        moved.append(np.clip(value, margin, length - margin) if 2 * margin < length else length / 2)
+    return moved

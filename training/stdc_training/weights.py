@@ -1,0 +1,70 @@
+"""The weights file that the C++ program reads: tensors, their types and the metadata."""
+
+import json
+
+import numpy as np
+import torch
+
+from . import safetensors
+from .network import StdcSeg, inference_state
+
+FORMAT = "stdc-weights-1"
+CLASSES = ("background", "person")
+MEAN = (0.485, 0.456, 0.406)
+STD = (0.229, 0.224, 0.225)
+
+
+def metadata(network, size, licence, ranges=None, **notes):
+    """The file's metadata. size: (width, height) of the default input; ranges: see calibrate."""
+    entries = {
+        "format": FORMAT,
+        "architecture": network.architecture,
+        "classes": json.dumps(CLASSES),
+        "dynamic_classes": json.dumps(CLASSES[1:]),
+        "input_width": str(size[0]),
+        "input_height": str(size[1]),
+        "mean": json.dumps(MEAN),
+        "std": json.dumps(STD),
+        "licence": licence,
+    }
+    if ranges is not None:
+        entries["activation_ranges"] = json.dumps(ranges, sort_keys=True)
+    entries.update({name: text for name, text in notes.items() if text})
+    return entries
+
+
+def save(path, network, entries, half=True):
+    """Write the tensors of inference; with `half` the convolution weights as 16-bit floats."""
+    tensors = {}
+    for name, tensor in inference_state(network).items():
+        array = tensor.detach().float().cpu().numpy()
+        tensors[name] = array.astype(np.float16) if half and array.ndim == 4 else array
+    safetensors.write(path, tensors, entries)
+
+
+def load(path):
+    """Return (network in evaluation mode, metadata) of a weights file."""
+    tensors, entries = safetensors.read(path)
+    if entries.get("format") != FORMAT:
+        raise ValueError(f"{path}: format {entries.get('format')!r} instead of {FORMAT!r}")
+    network = StdcSeg(
+        entries["architecture"],
+        classes=len(json.loads(entries["classes"])),
+        divisor=32 // tensors["backbone.stage1.conv.weight"].shape[0],
+        head=tensors["head.conv.conv.weight"].shape[0],
+        training_heads=False,
+    )
+    state = {name: torch.from_numpy(array.astype(np.float32)) for name, array in tensors.items()}
+    missing, unknown = network.load_state_dict(state, strict=False)
+    missing = [name for name in missing if not name.endswith("num_batches_tracked")]
+    if missing or unknown:
+        raise ValueError(f"{path}: tensors missing {missing[:3]}, unknown {unknown[:3]}")
+    return network.eval(), entries
+
+
+def normalised(images):
+    """uint8 RGB [n, h, w, 3] to float [n, 3, h, w] as the networks take it."""
+    values = images.permute(0, 3, 1, 2).float() / 255
+    mean = torch.tensor(MEAN, device=values.device).view(1, 3, 1, 1)
+    std = torch.tensor(STD, device=values.device).view(1, 3, 1, 1)
+    return (values - mean) / std
