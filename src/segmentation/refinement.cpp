@@ -30,21 +30,12 @@ std::uint16_t whole_units(double tau, double units_per_metre) {
   return static_cast<std::uint16_t>(std::clamp(std::floor(tau * units_per_metre + kSlack), 0.0, kMost));
 }
 
-/// Copies the mask with 255 for whatever is not zero; gives the box around those pixels (empty: width 0).
+/// The box around the dynamic pixels; empty if there are none. Copies the mask with 255 for those pixels.
 cv::Rect copy_mask(const cv::Mat& mask, cv::Mat& result) {
   std::vector<std::uint8_t> columns(static_cast<std::size_t>(mask.cols), 0);
   int top = mask.rows, bottom = 0;
   for (int y = 0; y < mask.rows; ++y) {
-    const std::uint8_t* from = mask.ptr(y);
-    std::uint8_t* to = result.ptr(y);
-    std::uint8_t any = 0;
-    for (int x = 0; x < mask.cols; ++x) {
-      const std::uint8_t dynamic = from[x] != 0 ? 255 : 0;
-      to[x] = dynamic;
-      any |= dynamic;
-      columns[x] |= dynamic;
-    }
-    if (any == 0) continue;
+    if (!copy_mask_row(mask.ptr(y), mask.cols, result.ptr(y), columns.data())) continue;
     top = std::min(top, y);
     bottom = y + 1;
   }
@@ -65,13 +56,15 @@ void RefinementSettings::validate() const {
   }
 }
 
-cv::Mat refine(const cv::Mat& mask, const cv::Mat& depth, double depth_units_per_metre,
-               const RefinementSettings& settings) {
+void refine(const cv::Mat& given, const cv::Mat& depth, double depth_units_per_metre,
+            const RefinementSettings& settings, cv::Mat& result) {
   settings.validate();
-  check_images(mask, depth);
-  cv::Mat result(mask.size(), CV_8UC1);
+  check_images(given, depth);
+  const cv::Mat mask = given;  // keeps the pixels if `result` is the same image
+  if (result.data == mask.data) result.release();
+  result.create(mask.size(), CV_8UC1);
   const cv::Rect dynamic = copy_mask(mask, result);
-  if (dynamic.empty()) return result;
+  if (dynamic.empty()) return;
   RefinementTask task;
   task.radius = settings.window / 2;
   task.width = mask.cols;
@@ -91,6 +84,12 @@ cv::Mat refine(const cv::Mat& mask, const cv::Mat& depth, double depth_units_per
   } else {
     refine_task(task, static_cast<float>(settings.tau));
   }
+}
+
+cv::Mat refine(const cv::Mat& mask, const cv::Mat& depth, double depth_units_per_metre,
+               const RefinementSettings& settings) {
+  cv::Mat result;
+  refine(mask, depth, depth_units_per_metre, settings, result);
   return result;
 }
 

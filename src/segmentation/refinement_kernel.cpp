@@ -47,12 +47,13 @@ struct RefinementRows {
         highest(window + 2, width + 2 * task.radius),
         lowest(window + 2, width + 2 * task.radius),
         depth(1, width),
-        mask(1, width) {}
+        mask(1, width),
+        columns(1, width) {}
   int window, width;
   RowBuffer<T> claimants;        ///< the last `window` rows, in turn; none: the lowest value there is
   RowBuffer<T> highest, lowest;  ///< a block of `window` rows, then the running row, then scratch
   RowBuffer<T> depth;
-  RowBuffer<std::uint8_t> mask;
+  RowBuffer<std::uint8_t> mask, columns;
 };
 
 }  // namespace
@@ -112,6 +113,26 @@ HWY_INLINE hn::Mask<typename Kind::D> load_dynamic(const std::uint8_t* mask) {
   const hn::RebindToUnsigned<decltype(d)> du;
   const hn::Rebind<std::uint8_t, decltype(d)> d8;
   return hn::RebindMask(d, hn::Ne(hn::PromoteTo(du, hn::LoadU(d8, mask)), hn::Zero(du)));
+}
+
+bool copy_row(const std::uint8_t* mask, int width, std::uint8_t* result, std::uint8_t* columns) {
+  const hn::ScalableTag<std::uint8_t> d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  auto any = hn::Zero(d);
+  int x = 0;
+  for (; x + lanes <= width; x += lanes) {
+    const auto dynamic = hn::VecFromMask(d, hn::Ne(hn::LoadU(d, mask + x), hn::Zero(d)));
+    hn::StoreU(dynamic, d, result + x);
+    hn::StoreU(hn::Or(hn::LoadU(d, columns + x), dynamic), d, columns + x);
+    any = hn::Or(any, dynamic);
+  }
+  bool found = !hn::AllTrue(d, hn::Eq(any, hn::Zero(d)));
+  for (; x < width; ++x) {
+    result[x] = mask[x] != 0 ? 255 : 0;
+    columns[x] |= result[x];
+    found |= result[x] != 0;
+  }
+  return found;
 }
 
 // Copies the task's part of a row to where whole vectors may be read.
@@ -240,7 +261,7 @@ void join_row(RefinementRows<typename Kind::T>& rows, int middle, typename Kind:
     const auto before = hn::LoadU(d8, reinterpret_cast<const std::int8_t*>(mask + x));
     hn::StoreU(hn::Or(before, bytes), d8, reinterpret_cast<std::int8_t*>(mask + x));
   }
-  for (int x = 0; x < rows.width; ++x) result[x] = mask[x] != 0 ? 255 : 0;
+  copy_row(mask, rows.width, result, rows.columns.row(0));
 }
 
 template <typename Kind>
@@ -288,8 +309,13 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace stdc {
+HWY_EXPORT(copy_row);
 HWY_EXPORT(refine_units);
 HWY_EXPORT(refine_metres);
+
+bool copy_mask_row(const std::uint8_t* mask, int width, std::uint8_t* result, std::uint8_t* columns) {
+  return HWY_DYNAMIC_DISPATCH(copy_row)(mask, width, result, columns);
+}
 
 void refine_task(const RefinementTask& task, std::uint16_t tau) {
   HWY_DYNAMIC_DISPATCH(refine_units)(task, tau);

@@ -180,6 +180,14 @@ TEST(Refinement, WorksOnPartsOfLargerImages) {
   expect_exact(scene.mask(part), scene.depth(part));
 }
 
+TEST(Refinement, MayReplaceTheMask) {
+  Random random(7);
+  const Scene scene = blobs({160, 120}, random);
+  cv::Mat mask = scene.mask.clone();
+  refine(mask, scene.depth, kUnits, {}, mask);
+  EXPECT_TRUE(same(mask, refine(scene.mask, scene.depth, kUnits)));
+}
+
 TEST(Refinement, RefusesWhatDoesNotFit) {
   using testing::message_of;
   const cv::Mat mask(48, 64, CV_8UC1, cv::Scalar(0)), depth(48, 64, CV_16UC1, cv::Scalar(0));
