@@ -1,0 +1,45 @@
+#include "segmentation/mask_file_segmenter.hpp"
+
+#include <fmt/format.h>
+
+#include <opencv2/core.hpp>
+
+#include "core/error.hpp"
+#include "core/image_codec.hpp"
+#include "core/text_file.hpp"
+
+namespace stdc {
+
+cv::Mat load_mask(const MaskFile& file, cv::Size size) {
+  constexpr const char* kMend = "write it anew as an 8-bit grey PNG, dynamic pixels 255 and others 0";
+  constexpr std::size_t kLargestMask = std::size_t{1} << 28U;
+  constexpr double kDynamic = 128;
+  const std::string where =
+      file.line > 0 ? fmt::format("{} (mask.txt:{})", file.path.string(), file.line) : file.path.string();
+  std::string text;
+  try {
+    text = read_file(file.path, "restore the mask or remove it from the list", kLargestMask);
+  } catch (const Error& error) {
+    throw Error(where, error.problem(), error.mend());
+  }
+  const Bytes bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  if (!is_png(bytes)) throw Error(where, "is not a PNG", kMend);
+  const DecodedImage decoded = decode_png_colour(bytes, size, ColourMode::as_stored);
+  if (!decoded.problem.empty()) throw Error(where, decoded.problem, kMend);
+  if (decoded.image.channels() != 1) throw Error(where, "is a colour image", kMend);
+  double largest = 0;
+  cv::minMaxLoc(decoded.image, nullptr, &largest);
+  if (largest > 0 && largest < kDynamic) {
+    throw Error(where, fmt::format("holds labels up to {} instead of a mask", largest), kMend);
+  }
+  return decoded.image >= kDynamic;
+}
+
+MaskFileSegmenter::MaskFileSegmenter(const std::filesystem::path& folder) : masks_(list_masks(folder)) {}
+
+cv::Mat MaskFileSegmenter::segment(const SegmenterInput& input) {
+  const MaskFile* file = find_mask(masks_, input.timestamp, kTolerance);
+  return file == nullptr ? cv::Mat() : load_mask(*file, input.colour.size());
+}
+
+}  // namespace stdc
