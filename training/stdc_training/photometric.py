@@ -25,7 +25,7 @@ def distort(rng, image):
 
 def tone(rng, image):
     """Exposure, contrast, white balance, saturation and gamma, by tables and one small matrix."""
-    gain = np.exp(rng.normal(0, 0.1, 3)) * np.exp(rng.normal(0, 0.25))
+    gain = np.exp(rng.normal(0, 0.1, 3)) * np.exp(rng.normal(0, 0.2))
     contrast, middle = np.exp(rng.normal(0, 0.2)), rng.uniform(90, 150)
     gamma = np.exp(rng.normal(0, 0.2))
     levels = 255 * (np.arange(256) / 255) ** gamma

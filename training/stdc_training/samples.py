@@ -33,9 +33,13 @@ class Samples(torch.utils.data.Dataset):
         self._frames = people.Packed(folder, rendered) if rendered else None
         self._size, self._count, self._seed = size, count, seed
         self._shares = SHARES_WITH_RENDERED if rendered else SHARES
-        self._kinds, self._cutouts = {}, {}
+        self._kinds, self._cutouts, self._scenes = {}, {}, {}
         for i, entry in enumerate(self._packed.index):
             self._kinds.setdefault(entry["kind"], []).append(i)
+            if entry["kind"] == people.EMPTY:
+                self._scenes.setdefault(entry["name"].split("_")[0], []).append(i)
+            elif entry["box"] is None:
+                self._scenes.setdefault("elsewhere", []).append(i)
             if entry["box"] and entry["kind"] in CUTOUT_SHARES:
                 x0, y0, x1, y1 = entry["box"]
                 if y1 - y0 >= LEAST_CUTOUT_HEIGHT * entry["shape"][0]:
@@ -63,7 +67,8 @@ class Samples(torch.utils.data.Dataset):
         return warp(self._packed[i], view, self._size)
 
     def _room(self, rng):
-        i = int(rng.choice(self._kinds[people.EMPTY]))
+        scene = str(rng.choice(list(self._scenes)))  # each scene alike, however many its frames
+        i = int(rng.choice(self._scenes[scene]))
         return warp(self._packed[i], scene_view(rng, self._packed.index[i], self._size), self._size)
 
     def _empty(self, rng):

@@ -1,0 +1,74 @@
+"""Checkpoint to weights file: python3 -m stdc_training.export CHECKPOINT DATA OUTPUT.
+
+Takes the averaged weights, calibrates the ranges for int8 on training samples and writes
+.safetensors with the metadata that the program reads.
+"""
+
+import argparse
+import json
+
+import torch
+
+from . import calibrate, safetensors, weights
+from .network import TRAINING_ONLY, StdcSeg
+from .samples import Samples
+
+LICENCE = (
+    "Weights for research use only: trained on Clothing Co-Parsing (repository Apache-2.0, "
+    "photos of others), Leeds Sports Pose Extended (research; Flickr photos), PASCAL VOC 2012 "
+    "(Flickr terms), Human-Segmentation-Dataset (no terms stated), 7-Scenes (non-commercial), "
+    "HoloLens office and corridor (MIT). See models/README.md."
+)
+CALIBRATION_IMAGES = 64
+
+
+def from_checkpoint(path):
+    """(network with the averaged weights, checkpoint) of a file written by stdc_training.train."""
+    state = torch.load(path, map_location="cpu")
+    options = state["options"]
+    network = StdcSeg(options["architecture"], divisor=options["divisor"], head=options["head"],
+                      training_heads=False)
+    kept = {name: tensor for name, tensor in state["average"].items()
+            if not name.startswith(TRAINING_ONLY)}
+    network.load_state_dict(kept)
+    return network.eval(), state
+
+
+def calibration_batches(folder, size, batch=8):
+    """Normalised training samples at the size of inference."""
+    samples = Samples(folder, size, CALIBRATION_IMAGES, seed=99)
+    for begin in range(0, CALIBRATION_IMAGES, batch):
+        pixels = [samples[i][0] for i in range(begin, begin + batch)]
+        yield weights.normalised(torch.stack(pixels))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("checkpoint")
+    parser.add_argument("data", help="folder of packed training data, for the calibration")
+    parser.add_argument("output")
+    parser.add_argument("--size", type=int, nargs=2, default=(256, 192), metavar=("W", "H"),
+                        help="default size of inference, multiples of 32")
+    parser.add_argument("--scores", default="", help="text about scores for the metadata")
+    parser.add_argument("--float32", action="store_true", help="keep all weights in 32 bit")
+    options = parser.parse_args()
+    if options.size[0] % 32 or options.size[1] % 32:
+        parser.error(f"--size {options.size}: give multiples of 32")
+    network, state = from_checkpoint(options.checkpoint)
+    if not options.float32:
+        for parameter in network.parameters():  # calibrate what will be run
+            if parameter.dim() == 4:
+                parameter.data = parameter.data.half().float()
+    ranges = calibrate.activation_ranges(network, calibration_batches(options.data, options.size))
+    used = state["options"]
+    trained = (f"{state['images']} images seen, last at {used['width']}x{used['height']}, "
+               f"divisor of the channels {used['divisor']}")
+    entries = weights.metadata(network, options.size, LICENCE, ranges, version="1",
+                               trained=trained, scores=options.scores)
+    weights.save(options.output, network, entries, half=not options.float32)
+    count = sum(t.size for t in safetensors.read(options.output)[0].values())
+    print(json.dumps({"file": options.output, "parameters": count, "trained": trained}))
+
+
+if __name__ == "__main__":
+    main()

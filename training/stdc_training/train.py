@@ -1,0 +1,226 @@
+"""Train a network: python3 -m stdc_training.train DATA RUN [options].
+
+DATA is the folder of `stdc_training.pack`. RUN receives last.pt and best.pt (checkpoints),
+log.csv (losses) and scores.csv (validation). Started again with the same RUN it goes on from
+last.pt; size, batch, learning rate and total may then differ, which is how the picture size
+grows in the course of a training.
+"""
+
+import argparse
+import csv
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from . import evaluation_sets, people
+from .detail import DetailTarget
+from .ema import Average
+from .losses import total_loss
+from .network import MODULES, StdcSeg, default_device
+from .predict import intersection_over_union, overlap, person_maps
+from .samples import Samples
+from .weights import normalised
+
+
+def parse(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("data")
+    parser.add_argument("run")
+    parser.add_argument("--architecture", choices=sorted(MODULES), default="STDC1-Seg")
+    parser.add_argument("--divisor", type=int, default=1, help="narrows all layers by it")
+    parser.add_argument("--head", type=int, default=64, help="channels of the heads")
+    parser.add_argument("--width", type=int, default=224)
+    parser.add_argument("--height", type=int, default=160)
+    parser.add_argument("--batch", type=int, default=16)
+    parser.add_argument("--images", type=int, default=400_000, help="when the schedule ends")
+    parser.add_argument("--rate", type=float, default=2e-3, help="highest learning rate (AdamW)")
+    parser.add_argument("--decay", type=float, default=0.02, help="weight decay")
+    parser.add_argument("--warmup", type=int, default=300, help="steps")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--rendered", help="name of a packed set of rendered frames in DATA")
+    parser.add_argument("--loaders", type=int, default=1, help="processes that make samples")
+    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--evaluate-seconds", type=float, default=1200)
+    parser.add_argument("--checkpoint-seconds", type=float, default=180)
+    return parser.parse_args(arguments)
+
+
+class Trainer:
+    """State of a training: network, average, optimiser, images seen, best score."""
+
+    def __init__(self, options):
+        torch.manual_seed(options.seed)
+        self.options, self.device = options, default_device()
+        self.network = StdcSeg(options.architecture, divisor=options.divisor, head=options.head)
+        self.network.to(self.device)
+        self.detail = DetailTarget().to(self.device)
+        self.average = Average(self.network)
+        self.optimiser = torch.optim.AdamW(self._groups(), lr=options.rate, betas=(0.9, 0.99))
+        self.scaler = torch.cuda.amp.GradScaler(enabled=self.device.type == "cuda")
+        self.images, self.steps, self.best = 0, 0, 0.0
+        self.run = Path(options.run)
+        self.run.mkdir(parents=True, exist_ok=True)
+
+    def _groups(self):
+        matrices = [p for p in self.network.parameters() if p.dim() > 1]
+        others = [p for p in self.network.parameters() if p.dim() <= 1]
+        return [{"params": matrices, "weight_decay": self.options.decay},
+                {"params": others + list(self.detail.parameters()), "weight_decay": 0.0}]
+
+    def rate(self):
+        """Warm-up, then the poly schedule with power 0.9 (the paper, sec. 4.1)."""
+        warm = min(1.0, (self.steps + 1) / self.options.warmup)
+        left = max(0.0, 1 - self.images / self.options.images)
+        return self.options.rate * warm * left**0.9
+
+    def step(self, pixels, labels):
+        """One optimiser step; returns the losses by name."""
+        for group in self.optimiser.param_groups:
+            group["lr"] = self.rate()
+        self.network.train()
+        pixels = normalised(pixels.to(self.device, non_blocking=True))
+        labels = labels.to(self.device, non_blocking=True).long()
+        with torch.autocast(self.device.type, enabled=self.device.type == "cuda"):
+            outputs = self.network.forward_training(pixels)
+        loss, parts = total_loss(outputs, labels, self.detail)
+        self.optimiser.zero_grad(set_to_none=True)
+        self.scaler.scale(loss).backward()
+        self.scaler.step(self.optimiser)
+        self.scaler.update()
+        self.average.update(self.network)
+        self.images += pixels.shape[0]
+        self.steps += 1
+        return {name: float(part.detach()) for name, part in parts.items()}
+
+    def state(self):
+        return {"network": self.network.state_dict(), "average": self.average.network.state_dict(),
+                "updates": self.average.updates, "detail": self.detail.state_dict(),
+                "optimiser": self.optimiser.state_dict(), "scaler": self.scaler.state_dict(),
+                "images": self.images, "steps": self.steps, "best": self.best,
+                "options": vars(self.options)}
+
+    def save(self, name):
+        """Write a checkpoint whole or not at all."""
+        partial = self.run / f"{name}.partial"
+        torch.save(self.state(), partial)
+        os.replace(partial, self.run / name)
+
+    def resume(self):
+        """Go on from last.pt if there is one."""
+        path = self.run / "last.pt"
+        if not path.exists():
+            return
+        state = torch.load(path, map_location=self.device)
+        self.network.load_state_dict(state["network"])
+        self.average.network.load_state_dict(state["average"])
+        self.average.updates = state["updates"]
+        self.detail.load_state_dict(state["detail"])
+        self.optimiser.load_state_dict(state["optimiser"])
+        for group, fresh in zip(self.optimiser.param_groups, self._groups()):
+            group["weight_decay"] = fresh["weight_decay"]
+        self.scaler.load_state_dict(state["scaler"])
+        self.images, self.steps, self.best = state["images"], state["steps"], state["best"]
+
+
+def validation_subset(folder, size=(256, 192)):
+    """Small sets by name, enough to see where a training goes."""
+    packed = people.Packed(folder, "validation")
+    return {
+        "photos": evaluation_sets.photos(packed, ("ccp_masked", "human291_masked"), size, 3),
+        "hard": evaluation_sets.photos(packed, ("lspet_teacher", "voc_teacher"), size, 4),
+        "composed": evaluation_sets.composed(packed, size, 40),
+        "empty": evaluation_sets.without_people(packed, size, True, 3),
+    }
+
+
+def quick_scores(network, sets):
+    """Mean IoU by set; for "empty" the share of pixels wrongly called person."""
+    scores = {}
+    for name, pairs in sets.items():
+        maps = person_maps(network, [image for image, _ in pairs])
+        counts = [overlap(found, label) for found, (_, label) in zip(maps, pairs)]
+        if name == "empty":
+            scores[name] = float(np.mean([found.mean() for found in maps]))
+        else:
+            scores[name] = float(np.mean([intersection_over_union(c) for c in counts]))
+    scores["total"] = (scores["photos"] + scores["hard"] + scores["composed"]) / 3 - scores["empty"]
+    return scores
+
+
+def append(path, row):
+    """Append a row (dict) to a CSV file, with a heading if the file is new."""
+    fresh = not path.exists()
+    with open(path, "a", newline="") as file:
+        writer = csv.DictWriter(file, row.keys())
+        if fresh:
+            writer.writeheader()
+        writer.writerow(row)
+
+
+def evaluate(trainer, sets):
+    scores = quick_scores(trainer.average.network, sets)
+    append(trainer.run / "scores.csv", {"images": trainer.images,
+                                        **{k: round(v, 5) for k, v in scores.items()}})
+    if scores["total"] > trainer.best:
+        trainer.best = scores["total"]
+        trainer.save("best.pt")
+    trainer.save("last.pt")
+    return scores
+
+
+def progress(trainer, losses, begun, seen):
+    """One line: bar, images, images per second, time left, losses; overwritten on a terminal."""
+    share = trainer.images / trainer.options.images
+    speed = seen / (time.monotonic() - begun)
+    left = (trainer.options.images - trainer.images) / max(speed, 1e-9)
+    bar = "#" * int(20 * share)
+    text = " ".join(f"{name} {value:.3f}" for name, value in losses.items())
+    print(f"[{bar:<20}] {trainer.images}/{trainer.options.images} {speed:.1f} img/s "
+          f"{left / 60:.0f} min left  rate {trainer.rate():.2g}  {text}",
+          end="\r" if sys.stdout.isatty() else "\n", flush=True)
+
+
+def batches(options, start):
+    """Batches of samples from number `start` to the end of the schedule."""
+    samples = Samples(options.data, (options.width, options.height), options.images,
+                      options.seed, options.rendered)
+    return torch.utils.data.DataLoader(
+        samples, options.batch, sampler=range(start, options.images), drop_last=True,
+        num_workers=options.loaders, pin_memory=torch.cuda.is_available())
+
+
+def main():
+    options = parse()
+    torch.set_num_threads(options.threads)
+    trainer = Trainer(options)
+    trainer.resume()
+    sets = validation_subset(options.data)
+    begun = shown = saved = evaluated = time.monotonic()
+    first, sums, count = trainer.images, {}, 0
+    for pixels, labels in batches(options, trainer.images):
+        losses = trainer.step(pixels, labels)
+        sums = {name: sums.get(name, 0) + value for name, value in losses.items()}
+        count += 1
+        now = time.monotonic()
+        if now - shown > 15:
+            means = {name: value / count for name, value in sums.items()}
+            append(trainer.run / "log.csv", {
+                "images": trainer.images, "seconds": round(now - begun, 1), "rate": trainer.rate(),
+                **{name: round(value, 5) for name, value in means.items()}})
+            progress(trainer, means, begun, trainer.images - first)
+            shown, sums, count = now, {}, 0
+        if now - saved > options.checkpoint_seconds:
+            trainer.save("last.pt")
+            saved = now
+        if now - evaluated > options.evaluate_seconds:
+            print("validation", evaluate(trainer, sets), flush=True)
+            evaluated = time.monotonic()
+    print("validation", evaluate(trainer, sets), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,126 @@
+"""Views, composition, samples and the validation list."""
+
+import tempfile
+import unittest
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from stdc_training import evaluation_sets, people, views
+from stdc_training.compose import compose
+from stdc_training.samples import Samples
+
+from .made_up import write_packed
+
+
+class ViewsTest(unittest.TestCase):
+    def setUp(self):
+        rng = np.random.default_rng(1)
+        self.image = rng.integers(0, 255, (48, 64, 4), dtype=np.uint8)
+
+    def test_identity(self):
+        matrix = views.affine((31.5, 23.5), 48, (64, 48))
+        colour, label = views.warp(self.image, matrix, (64, 48))
+        np.testing.assert_array_equal(colour, self.image[..., :3])
+        np.testing.assert_array_equal(label, self.image[..., 3])
+
+    def test_mirror(self):
+        matrix = views.affine((31.5, 23.5), 48, (64, 48), mirror=True)
+        _, label = views.warp(self.image, matrix, (64, 48))
+        np.testing.assert_array_equal(label, self.image[:, ::-1, 3])
+
+    def test_scale(self):
+        matrix = views.affine((31.5, 23.5), 24, (64, 48))
+        np.testing.assert_allclose(matrix[:, :2], np.eye(2) / 2)
+
+    def test_person_views_show_people_at_many_sizes(self):
+        rng = np.random.default_rng(2)
+        entry = {"box": [20, 5, 40, 45], "shape": [48, 64]}
+        image = np.zeros((48, 64, 4), np.uint8)
+        image[5:45, 20:40, 3] = 1
+        shares = [views.warp(image, views.person_view(rng, entry, (64, 48)), (64, 48))[1].mean()
+                  for _ in range(200)]
+        self.assertGreater(np.mean(np.array(shares) > 0), 0.9)
+        self.assertLess(min(shares), 0.2)
+        self.assertGreater(max(shares), 0.7)
+
+
+class DataTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.packed = Path(folder.name) / "packed"
+        write_packed(Path(folder.name) / "people", cls.packed)
+
+    def test_validation_is_apart_and_holds_whole_scenes(self):
+        names = [{(e["kind"], e["name"]) for e in people.Packed(self.packed, part).index}
+                 for part in ("train", "validation")]
+        self.assertFalse(names[0] & names[1])
+        scenes = {name.split("_")[0] for kind, name in names[1] if kind == people.EMPTY}
+        self.assertEqual(scenes, set(people.VALIDATION_SCENES))
+        self.assertFalse([n for k, n in names[0] if n.startswith(people.VALIDATION_SCENES)])
+
+    def test_samples_are_the_same_again(self):
+        one, two = (Samples(self.packed, (64, 48), 50, seed=7) for _ in range(2))
+        for i in (0, 3, 49):
+            for a, b in zip(one[i], two[i]):
+                self.assertTrue(torch.equal(a, b))
+        self.assertFalse(torch.equal(one[0][0], one[1][0]))
+
+    def test_samples_have_the_right_form(self):
+        samples = Samples(self.packed, (64, 32), 60)
+        values = Counter()
+        for i in range(60):
+            image, label = samples[i]
+            self.assertEqual((tuple(image.shape), image.dtype), ((32, 64, 3), torch.uint8))
+            self.assertEqual(tuple(label.shape), (32, 64))
+            values.update(label.unique().tolist())
+        self.assertLessEqual(set(values), {0, 1, 255})
+        self.assertGreater(values[1], 20)  # samples that show a person
+        self.assertLess(values[1], 60)  # and some without
+
+    def test_composed_labels_lie_on_the_pasted_people(self):
+        packed = people.Packed(self.packed, "train")
+        i = next(i for i, e in enumerate(packed.index) if e["kind"] == "ccp_masked")
+        rng = np.random.default_rng(5)
+        for _ in range(20):
+            frame = np.full((96, 128, 3), (0, 255, 0), np.uint8)
+            image, label = compose(rng, frame, [(packed.index[i], packed[i])], (128, 96))
+            pure = (image == (0, 255, 0)).all(2)
+            self.assertFalse((pure & (label == 1)).any())
+            self.assertGreater(pure[label == 0].mean(), 0.8)
+
+    def test_evaluation_sets(self):
+        packed = people.Packed(self.packed, "validation")
+        for pairs in (evaluation_sets.photos(packed, people.KINDS, (64, 64)),
+                      evaluation_sets.composed(packed, (64, 64), 3),
+                      evaluation_sets.close_ups(packed, (64, 64), 3),
+                      evaluation_sets.without_people(packed, (64, 64), True)):
+            self.assertTrue(pairs)
+            for image, label in pairs:
+                self.assertEqual((image.shape, label.shape), ((64, 64, 3), (64, 64)))
+
+    def test_fitting_keeps_the_shape_and_ignores_the_rest(self):
+        packed = np.ones((40, 20, 4), np.uint8)
+        _, label = evaluation_sets.fitted(packed, (80, 80))
+        self.assertEqual((label == 1).sum(), 80 * 40)
+        self.assertEqual((label == 255).sum(), 80 * 40)
+
+
+class ValidationListTest(unittest.TestCase):
+    def test_the_list_in_the_repository(self):
+        lines = people.VALIDATION_LIST.read_text().split()
+        chosen = people.read_validation()
+        counts = Counter(kind for kind, _ in chosen)
+        self.assertEqual(set(counts), {*people.KINDS, people.EMPTY})
+        self.assertEqual(sum(counts.values()), len([x for x in lines if "/" in x and x != "kind/name."]))
+        for kind, name in chosen:
+            if kind == people.EMPTY:
+                self.assertTrue(name.startswith(people.VALIDATION_SCENES), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
