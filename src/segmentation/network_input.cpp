@@ -55,22 +55,25 @@ ConvolutionWeights NetworkInput::adapt(const ConvolutionWeights& first) const {
   return layer;
 }
 
-void NetworkInput::set(const cv::Mat& rgb) {
-  if (rgb.size() != size_ || rgb.type() != CV_8UC3) {
+void NetworkInput::set(const cv::Mat& bgr) {
+  if (bgr.size() != size_ || bgr.type() != CV_8UC3) {
     throw Error("input of the network",
-                fmt::format("is not an RGB image of {}x{} pixels", size_.width, size_.height),
+                fmt::format("is not a colour image of {}x{} pixels", size_.width, size_.height),
                 "resize it first");
   }
   const std::size_t pixels = view_.shape.pixels();
   for (int y = 0; y < size_.height; ++y) {
-    const std::uint8_t* from = rgb.ptr(y);
+    const std::uint8_t* from = bgr.ptr(y);
     if (is_int8()) {
-      std::memcpy(view_.bytes() + view_.offset(0, y + 1, 1), from, static_cast<std::size_t>(size_.width) * 3);
+      std::uint8_t* to = view_.bytes() + view_.offset(0, y + 1, 1);
+      for (int i = 0; i < 3 * size_.width; i += 3) {
+        to[i] = from[i + 2], to[i + 1] = from[i + 1], to[i + 2] = from[i];
+      }
       continue;
     }
     float* to = view_.floats() + view_.offset(0, y, 0);
     for (int x = 0; x < size_.width; ++x, from += 3, ++to) {
-      for (std::size_t c = 0; c < 3; ++c) to[c * pixels] = normalised_[c][from[c]];
+      for (std::size_t c = 0; c < 3; ++c) to[c * pixels] = normalised_[c][from[2 - c]];
     }
   }
 }

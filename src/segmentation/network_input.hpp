@@ -25,8 +25,8 @@ class NetworkInput {
   /// Levels of its weights; `levels`: of activations. 255 * 64 * 2 < 2^15, see DnnlEngine.
   int weight_levels(int levels) const { return levels == 255 ? 127 : 64; }
 
-  /// Takes an RGB image (CV_8UC3) of this size. Throws Error for another.
-  void set(const cv::Mat& rgb);
+  /// Takes a BGR image (CV_8UC3) of this size. Throws Error for another.
+  void set(const cv::Mat& bgr);
   /// Takes a normalised image, [3][height][width]. Throws Error for another length and for int8.
   void set(std::span<const float> normalised);
 

@@ -222,8 +222,8 @@ NetworkPrecision StdcNetwork::precision() const { return implementation_->precis
 const std::vector<NetworkStep>& StdcNetwork::steps() const { return implementation_->about; }
 std::size_t StdcNetwork::activation_bytes() const { return implementation_->builder.activation_bytes(); }
 
-Logits StdcNetwork::run(const cv::Mat& rgb) {
-  implementation_->input.set(rgb);
+Logits StdcNetwork::run(const cv::Mat& bgr) {
+  implementation_->input.set(bgr);
   return implementation_->run();
 }
 

@@ -45,9 +45,9 @@ class StdcNetwork {
   cv::Size input_size() const;
   /// fp32 or int8.
   NetworkPrecision precision() const;
-  /// Runs on an RGB image (CV_8UC3) of the input's size. The same image gives the same bytes. The result is
+  /// Runs on a BGR image (CV_8UC3) of the input's size. The same image gives the same bytes. The result is
   /// valid until the next run.
-  Logits run(const cv::Mat& rgb);
+  Logits run(const cv::Mat& bgr);
   /// Runs on a normalised image, [3][height][width] in RGB order. Only fp32.
   Logits run(std::span<const float> normalised);
 

@@ -1,0 +1,107 @@
+#include "segmentation/class_map.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace stdc {
+namespace {
+
+constexpr std::uint8_t kDynamic = 255;
+
+}  // namespace
+
+ClassMap::ClassMap(cv::Size logits, cv::Size mask, std::vector<bool> dynamic)
+    : logits_size_(logits),
+      size_(mask),
+      dynamic_(std::move(dynamic)),
+      two_classes_(dynamic_.size() == 2 && dynamic_[0] != dynamic_[1]),
+      rows_(samples(mask.height, logits.height)),
+      columns_(samples(mask.width, logits.width)),
+      blended_((two_classes_ ? 1 : dynamic_.size()) * static_cast<std::size_t>(logits.width)),
+      winners_(static_cast<std::size_t>(logits.width)) {}
+
+std::vector<ClassMap::Sample> ClassMap::samples(int count, int of) {
+  std::vector<Sample> result;
+  const double step = static_cast<double>(of) / count;
+  for (int i = 0; i < count; ++i) {
+    const double position = std::clamp((i + 0.5) * step - 0.5, 0.0, of - 1.0);
+    const int first = static_cast<int>(position);
+    result.push_back({first, std::min(first + 1, of - 1), static_cast<float>(position - first)});
+  }
+  return result;
+}
+
+void ClassMap::blend_row(const Logits& logits, const Sample& sample) {
+  const auto width = static_cast<std::size_t>(logits_size_.width);
+  const auto plane = width * static_cast<std::size_t>(logits_size_.height);
+  const auto upper = static_cast<std::size_t>(sample.first) * width,
+             lower = static_cast<std::size_t>(sample.second) * width;
+  const float weight = sample.weight;
+  if (two_classes_) {
+    const float* one = logits.planes.data() + (dynamic_[0] ? 0 : plane);
+    const float* other = logits.planes.data() + (dynamic_[0] ? plane : 0);
+    for (std::size_t x = 0; x < width; ++x) {
+      blended_[x] =
+          (1 - weight) * (one[upper + x] - other[upper + x]) + weight * (one[lower + x] - other[lower + x]);
+      // A tie is won by the class that is named first.
+      winners_[x] = blended_[x] > 0 || (dynamic_[0] && blended_[x] == 0) ? 1 : 0;
+    }
+    return;
+  }
+  std::fill(winners_.begin(), winners_.end(), 0);
+  for (std::size_t k = 0; k < dynamic_.size(); ++k) {
+    const float* data = logits.planes.data() + k * plane;
+    float* row = &blended_[k * width];
+    for (std::size_t x = 0; x < width; ++x) {
+      row[x] = (1 - weight) * data[upper + x] + weight * data[lower + x];
+      if (row[x] > blended_[static_cast<std::size_t>(winners_[x]) * width + x]) {
+        winners_[x] = static_cast<int>(k);
+      }
+    }
+  }
+}
+
+std::uint8_t ClassMap::pixel(const Sample& sample) const {
+  const auto first = static_cast<std::size_t>(sample.first), second = static_cast<std::size_t>(sample.second);
+  const auto value = [&](std::size_t row) {
+    const float* data = &blended_[row * static_cast<std::size_t>(logits_size_.width)];
+    return (1 - sample.weight) * data[first] + sample.weight * data[second];
+  };
+  if (two_classes_) {
+    const float difference = value(0);
+    return difference > 0 || (dynamic_[0] && difference == 0) ? kDynamic : 0;
+  }
+  std::size_t best = 0;
+  float most = value(0);
+  for (std::size_t k = 1; k < dynamic_.size(); ++k) {
+    const float other = value(k);
+    if (other > most) best = k, most = other;
+  }
+  return dynamic_[best] ? kDynamic : 0;
+}
+
+void ClassMap::draw_row(std::uint8_t* row) const {
+  for (std::size_t x = 0; x < columns_.size();) {
+    const Sample& sample = columns_[x];
+    const int winner = winners_[static_cast<std::size_t>(sample.first)];
+    if (winner != winners_[static_cast<std::size_t>(sample.second)]) {
+      row[x++] = pixel(sample);
+      continue;
+    }
+    const bool is_dynamic = two_classes_ ? winner == 1 : dynamic_[static_cast<std::size_t>(winner)];
+    const std::size_t begin = x;
+    while (x < columns_.size() && columns_[x].first == sample.first) ++x;
+    std::memset(row + begin, is_dynamic ? kDynamic : 0, x - begin);
+  }
+}
+
+cv::Mat ClassMap::draw(const Logits& logits) {
+  cv::Mat mask(size_, CV_8UC1);
+  for (int y = 0; y < size_.height; ++y) {
+    blend_row(logits, rows_[static_cast<std::size_t>(y)]);
+    draw_row(mask.ptr(y));
+  }
+  return mask;
+}
+
+}  // namespace stdc
