@@ -113,6 +113,23 @@ TEST(CameraPath, StartsFromRestAndMovesLikeAHand) {
   }
 }
 
+TEST(Presets, HaveTheMotionsOfTheirNames) {
+  const std::pair<Preset, MotionKind> pairs[] = {
+      {Preset::static_desk, MotionKind::desk}, {Preset::static_room, MotionKind::room_loop},
+      {Preset::walking_xyz, MotionKind::xyz},  {Preset::walking_halfsphere, MotionKind::halfsphere},
+      {Preset::walking_rpy, MotionKind::rpy},  {Preset::walking_static, MotionKind::held},
+      {Preset::moving_box, MotionKind::watch},
+  };
+  RenderSettings settings;
+  settings.with_people = false;
+  for (const auto& [preset, kind] : pairs) {
+    const RenderedSequence sequence(preset, settings);
+    const Pose seen = sequence.world_from_cam(200),
+               wanted = CameraPath(kind, settings.seed).world_from_cam(200 / 30.0);
+    EXPECT_LT((seen.inverse() * wanted).log().norm(), 1e-6) << enum_name(preset);
+  }
+}
+
 TEST(CameraPath, TheRoomLoopEndsWhereItBegan) {
   const CameraPath motion(MotionKind::room_loop, 3);
   const Pose start = motion.world_from_cam(0),

@@ -28,7 +28,7 @@ MotionKind motion_of(Preset preset) {
     case Preset::static_room:
       return MotionKind::room_loop;
     case Preset::walking_xyz:
-      return MotionKind::watch;
+      return MotionKind::xyz;
     case Preset::walking_halfsphere:
       return MotionKind::halfsphere;
     case Preset::walking_rpy:
