@@ -29,8 +29,8 @@ def paste(rng, frame, label, entry, image, place, size):
     share, horizon = place
     x0, y0, x1, y1 = entry["box"]
     bottom = horizon + CAMERA_SHARE * share + rng.normal(0, 0.08)
-    if rng.random() < 0.25:
-        bottom = rng.uniform(0.4, 0.3 + share)
+    if rng.random() < 0.25:  # seated, crouching, on a step: the head at any height
+        bottom = share + rng.uniform(-0.1, 0.6)
     if y1 >= entry["shape"][0] - 2:  # cut off by the photo: the frame has to cut it off too
         bottom = max(bottom, 1.0)
     source_height = (y1 - y0) / share

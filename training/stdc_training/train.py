@@ -9,6 +9,7 @@ grows in the course of a training.
 import argparse
 import csv
 import os
+import signal
 import sys
 import time
 from pathlib import Path
@@ -193,12 +194,21 @@ def batches(options, start):
         num_workers=options.loaders, pin_memory=torch.cuda.is_available())
 
 
-def main():
-    options = parse()
-    torch.set_num_threads(options.threads)
-    trainer = Trainer(options)
-    trainer.resume()
-    sets = validation_subset(options.data)
+class Stop:
+    """Becomes true at the first SIGTERM or SIGINT, so that the training can save itself."""
+
+    def __init__(self):
+        self.asked = False
+        for number in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(number, self._ask)
+
+    def _ask(self, *_):
+        self.asked = True
+
+
+def train(trainer, sets, stop):
+    """Run to the end of the schedule or until asked to stop; logs, saves and validates."""
+    options = trainer.options
     begun = shown = saved = evaluated = time.monotonic()
     first, sums, count = trainer.images, {}, 0
     for pixels, labels in batches(options, trainer.images):
@@ -213,13 +223,23 @@ def main():
                 **{name: round(value, 5) for name, value in means.items()}})
             progress(trainer, means, begun, trainer.images - first)
             shown, sums, count = now, {}, 0
-        if now - saved > options.checkpoint_seconds:
+        if stop.asked or now - saved > options.checkpoint_seconds:
             trainer.save("last.pt")
             saved = now
+        if stop.asked:
+            return
         if now - evaluated > options.evaluate_seconds:
             print("validation", evaluate(trainer, sets), flush=True)
             evaluated = time.monotonic()
     print("validation", evaluate(trainer, sets), flush=True)
+
+
+def main():
+    options = parse()
+    torch.set_num_threads(options.threads)
+    trainer = Trainer(options)
+    trainer.resume()
+    train(trainer, validation_subset(options.data), Stop())
 
 
 if __name__ == "__main__":
