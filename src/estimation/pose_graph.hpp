@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/pose.hpp"
+#include "core/setting.hpp"
+
+namespace stdc {
+
+/// What is known of where one node is, seen from another: exp(error) * a_from_b is the truth, with a normally
+/// distributed error.
+struct PoseGraphEdge {
+  std::int32_t a = 0, b = 0;  ///< nodes, indices into the graph's list
+  Pose a_from_b;
+  /// Inverse covariance of the error (translation [m], rotation [rad]), which is one of frame a. Symmetric,
+  /// positive semi-definite.
+  Matrix6d information = Matrix6d::Identity();
+  bool robust = false;  ///< Huber kernel: an edge that may be wrong
+};
+
+/// Poses and what is known of them relative to each other; solved in place.
+struct PoseGraph {
+  std::vector<Pose> node_from_world;  ///< cam_from_world, for keyframes
+  std::vector<std::uint8_t> fixed;    ///< same length; if none is 1, the first node is taken as fixed
+  std::vector<PoseGraphEdge> edges;
+};
+
+/// Settings of the pose-graph optimisation.
+struct PoseGraphSettings {
+  int iterations = 30;
+  double relative_decrease_to_stop = 1e-6;
+  double robust_chi_square = 12.592;
+
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit(Setting{"iterations", "count", "Most iterations of the pose-graph optimisation", 1, 1000},
+          self.iterations);
+    visit(Setting{"relative_decrease_to_stop", "ratio", "It ends when the cost falls by less than this share",
+                  0, 0.1},
+          self.relative_decrease_to_stop);
+    visit(Setting{"robust_chi_square", "",
+                  "Squared error of a robust edge beyond which it counts less (95 % quantile: 12.592)", 0.01,
+                  1e6},
+          self.robust_chi_square);
+  }
+};
+
+struct PoseGraphResult {
+  bool usable = false;  ///< false: the graph is left as it was (nothing to solve, singular, not finite)
+  int iterations = 0;
+  double initial_cost = 0, final_cost = 0;  ///< half of the sum of the robust squared errors
+};
+
+/// Levenberg-Marquardt on SE(3) for the error log(a_from_b^-1 between the poses), that is
+///
+///     e = log(a_from_world * b_from_world^-1 * a_from_b^-1),
+///
+/// weighted with the edge's information (Grisetti, Kuemmerle, Stachniss and Burgard, 'A Tutorial on
+/// Graph-Based SLAM', 2010; the essential graph that it is meant for: Mur-Artal, Montiel and Tardos,
+/// 'ORB-SLAM', T-RO 2015, sec. VII; with RGB-D the scale is known, so SE(3) is enough). The normal equations
+/// are solved as a block-sparse matrix in the order of approximate minimum degree, with the kernels of the
+/// bundle adjustment: 500 nodes with 5,000 edges take some tens of milliseconds. Edges between fixed nodes,
+/// from a node to itself or that are not finite say nothing. Nodes that no chain of edges ties to a fixed one
+/// stay together as they are. Never throws; same input, same bytes. Single-threaded.
+PoseGraphResult optimise_pose_graph(PoseGraph& graph, const PoseGraphSettings& settings = {});
+
+}  // namespace stdc
