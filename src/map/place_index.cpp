@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::uint32_t kNoSlot = 0xffffffff;
 constexpr int kLargestDistance = 56;  ///< bits; the same corner seen again is seldom further away
-constexpr int kLeaves = 2;
+constexpr int kLeaves = 1;            ///< two or three find no more places, but take longer
 
 /// How much a neighbour at some distance counts: a Gaussian (Jegou et al.).
 std::array<float, kLargestDistance + 1> make_weights() {
-  constexpr double kSigma = 20;  // bits
+  constexpr double kSigma = 16;  // bits
   std::array<float, kLargestDistance + 1> weights{};
   for (int d = 0; d <= kLargestDistance; ++d) {
     weights[d] = static_cast<float>(std::exp(-0.5 * (d / kSigma) * (d / kSigma)));
