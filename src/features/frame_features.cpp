@@ -44,7 +44,7 @@ FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::
                              double scale_factor, int levels, const Pyramid* pyramid)
     : keypoints_(std::move(features.keypoints)),
       descriptors_(std::move(features.descriptors)),
-      log_scale_factor_(static_cast<float>(std::log(scale_factor))) {
+      scale_factor_(scale_factor) {
   const std::size_t count = keypoints_.size();
   pixels_.reserve(count);
   depths_.reserve(count);
@@ -54,12 +54,28 @@ FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::
                                        static_cast<int>(std::lround(keypoint.x)),
                                        static_cast<int>(std::lround(keypoint.y))));
   }
+  complete(camera, levels);
+  if (pyramid != nullptr) cut_patches(*pyramid);
+}
+
+FrameFeatures::FrameFeatures(const Camera& camera, StoredFeatures stored)
+    : keypoints_(std::move(stored.keypoints)),
+      descriptors_(std::move(stored.descriptors)),
+      pixels_(std::move(stored.pixels)),
+      depths_(std::move(stored.depths)),
+      scale_factor_(stored.scale_factor),
+      patches_(std::move(stored.patches)) {
+  complete(camera, stored.levels);
+}
+
+/// Computes what follows from the rest.
+void FrameFeatures::complete(const Camera& camera, int levels) {
+  log_scale_factor_ = static_cast<float>(std::log(scale_factor_));
   for (int level = 0; level < levels; ++level) {
-    scales_.push_back(static_cast<float>(std::pow(scale_factor, level)));
+    scales_.push_back(static_cast<float>(std::pow(scale_factor_, level)));
   }
   usual_depth_ = median_of_positive(depths_, 1);
   build_index(camera);
-  if (pyramid != nullptr) cut_patches(*pyramid);
 }
 
 void FrameFeatures::cut_patches(const Pyramid& pyramid) {

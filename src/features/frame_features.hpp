@@ -14,6 +14,17 @@
 
 namespace stdc {
 
+/// What makes a FrameFeatures, once the images are gone.
+struct StoredFeatures {
+  std::vector<Keypoint> keypoints;
+  std::vector<Descriptor> descriptors;
+  std::vector<Eigen::Vector2f> pixels;
+  std::vector<float> depths;
+  std::vector<Patch> patches;  ///< one for each keypoint, or none at all
+  double scale_factor = 1.2;   ///< of the pyramid
+  int levels = 1;
+};
+
 /// What a frame has seen: its features in ideal (undistorted) pixels, with their depths, and an index by
 /// position. Immutable once built, so that a keyframe can share it with the frame it was made of.
 class FrameFeatures {
@@ -25,6 +36,8 @@ class FrameFeatures {
   /// @param pyramid       to cut the keypoints' patches from; null: they have none
   FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth, double scale_factor,
                 int levels, const Pyramid* pyramid);
+  /// The same again from what was stored of it; all lists have one length, patches may have none.
+  FrameFeatures(const Camera& camera, StoredFeatures stored);
 
   int size() const { return static_cast<int>(keypoints_.size()); }
   /// In raw pixels, as extracted.
@@ -39,7 +52,12 @@ class FrameFeatures {
   float scale_of(int i) const { return scales_[keypoints_[i].level]; }
   int levels() const { return static_cast<int>(scales_.size()); }
   float log_scale_factor() const { return log_scale_factor_; }
+  double scale_factor() const { return scale_factor_; }
   const std::vector<Keypoint>& keypoints() const { return keypoints_; }
+  const std::vector<Descriptor>& descriptors() const { return descriptors_; }
+  const std::vector<Eigen::Vector2f>& pixels() const { return pixels_; }
+  const std::vector<float>& depths() const { return depths_; }
+  const std::vector<Patch>& patches() const { return patches_; }
   /// The median of the depths; 1 if there is none.
   float usual_depth() const { return usual_depth_; }
   int count(KeypointQuality quality) const;
@@ -78,6 +96,7 @@ class FrameFeatures {
   static int cell(float coordinate, int cells) {
     return std::clamp(static_cast<int>(coordinate * (1 / kCellSize)), 0, cells - 1);
   }
+  void complete(const Camera& camera, int levels);
   void build_index(const Camera& camera);
   void cut_patches(const Pyramid& pyramid);
 
@@ -86,6 +105,7 @@ class FrameFeatures {
   std::vector<Eigen::Vector2f> pixels_;
   std::vector<float> depths_;
   float usual_depth_ = 1;
+  double scale_factor_ = 1;
   std::vector<Patch> patches_;
   std::vector<float> scales_;
   float log_scale_factor_ = 0;

@@ -63,5 +63,25 @@ TEST(FrameFeatures, EmptyFrameIsFine) {
   frame.for_each_in_window(10, 10, 1000, 0, 9, [](int) { FAIL(); });
 }
 
+TEST(FrameFeatures, ComesBackFromWhatIsStored) {
+  Camera camera;
+  camera.k1 = 0.2;
+  const cv::Mat depth(480, 640, CV_16UC1, cv::Scalar(9000));
+  const FrameFeatures frame(camera, random_features(300, 4), depth, 1.3, 5, nullptr);
+  const FrameFeatures again(camera, {frame.keypoints(), frame.descriptors(), frame.pixels(), frame.depths(),
+                                     frame.patches(), frame.scale_factor(), frame.levels()});
+  ASSERT_EQ(again.size(), frame.size());
+  EXPECT_EQ(again.usual_depth(), frame.usual_depth());
+  EXPECT_EQ(again.levels(), 5);
+  EXPECT_EQ(again.scale(4), frame.scale(4));
+  EXPECT_EQ(again.log_scale_factor(), frame.log_scale_factor());
+  EXPECT_EQ(again.patch(0), nullptr);
+  std::vector<int> found, found_again;
+  frame.for_each_in_window(300, 200, 80, 0, 4, [&](int i) { found.push_back(i); });
+  again.for_each_in_window(300, 200, 80, 0, 4, [&](int i) { found_again.push_back(i); });
+  EXPECT_FALSE(found.empty());
+  EXPECT_EQ(found, found_again);
+}
+
 }  // namespace
 }  // namespace stdc
