@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/setting.hpp"
+
+namespace stdc {
+
+/// Settings of loop detection and verification.
+struct LoopSettings {
+  double score_ratio = 0.15;
+  int candidates = 3;
+  int consistency = 2;
+  int window = 6;
+  int match_distance = 60;
+  double best_to_second = 0.85;
+  int ransac_trials = 300;
+  int ransac_inliers = 15;
+  double guided_radius = 6;
+  int least_inliers = 40;
+  double least_share = 0.2;
+
+  template <typename Self, typename Visit>
+  static void describe(Self& self, Visit&& visit) {
+    visit(Setting{"score_ratio", "ratio",
+                  "A place must look at least so much like the keyframe as its best neighbour does", 0, 1},
+          self.score_ratio);
+    visit(Setting{"candidates", "count", "Most places that are followed up for one keyframe", 1, 100},
+          self.candidates);
+    visit(Setting{"consistency", "count", "Keyframes in succession that must find the same place", 1, 20},
+          self.consistency);
+    visit(Setting{"window", "count", "Keyframes of a place whose landmarks are matched", 1, 100},
+          self.window);
+    visit(Setting{"match_distance", "bits", "Largest descriptor distance of a match", 1, 256},
+          self.match_distance);
+    visit(Setting{"best_to_second", "ratio", "A match must be better than the next best by this factor", 0.1,
+                  1},
+          self.best_to_second);
+    visit(Setting{"ransac_trials", "count", "Most alignments of three points that are tried", 1, 100000},
+          self.ransac_trials);
+    visit(Setting{"ransac_inliers", "count",
+                  "Matches that must agree with an alignment, and then in both images", 4, 1000},
+          self.ransac_inliers);
+    visit(Setting{"guided_radius", "px", "Search radius around a landmark once the pose is known", 0.5, 100},
+          self.guided_radius);
+    visit(Setting{"least_inliers", "count", "Landmarks that must be found again in the end", 6, 1000},
+          self.least_inliers);
+    visit(Setting{"least_share", "ratio", "The same, of those that should be seen", 0, 1}, self.least_share);
+  }
+};
+
+}  // namespace stdc
