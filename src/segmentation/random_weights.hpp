@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +35,7 @@ class RandomWeights {
                 {"input_height", "384"},          {"mean", "[0.485, 0.456, 0.406]"},
                 {"std", "[0.229, 0.224, 0.225]"}, {"licence", "none"}};
     nlohmann::json names = nlohmann::json::array();
-    for (int i = 0; i < widths.classes; ++i) names.push_back("c" + std::to_string(i));
+    for (int i = 0; i < widths.classes; ++i) names.push_back(fmt::format("c{}", i));
     metadata["classes"] = names.dump();
     add_layers(stdc2 ? std::array{4, 5, 3} : std::array{2, 2, 2}, widths);
     metadata["activation_ranges"] = ranges_.dump();
@@ -101,8 +103,7 @@ class RandomWeights {
     int channels = widths.stem[1];
     for (std::size_t stage = 0; stage < 3; ++stage) {
       for (int i = 0; i < modules[stage]; ++i) {
-        const std::string name =
-            "backbone.stage" + std::to_string(stage + 3) + "." + std::to_string(i) + ".blocks.";
+        const std::string name = fmt::format("backbone.stage{}.{}.blocks.", stage + 3, i);
         const int width = widths.stages[stage];
         add_normalised(name + "0", width / 2, channels, 1);
         add_normalised(name + "1", width / 4, width / 2, 3);
