@@ -18,7 +18,14 @@ ClassMap::ClassMap(cv::Size logits, cv::Size mask, std::vector<bool> dynamic)
       rows_(samples(mask.height, logits.height)),
       columns_(samples(mask.width, logits.width)),
       blended_((two_classes_ ? 1 : dynamic_.size()) * static_cast<std::size_t>(logits.width)),
-      winners_(static_cast<std::size_t>(logits.width)) {}
+      winners_(static_cast<std::size_t>(logits.width)),
+      best_(static_cast<std::size_t>(logits.width)) {
+  for (int cell = 0; cell <= logits.width; ++cell) {
+    const auto first = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const Sample& sample) { return sample.first >= cell; });
+    cell_begin_.push_back(static_cast<std::size_t>(first - columns_.begin()));
+  }
+}
 
 std::vector<ClassMap::Sample> ClassMap::samples(int count, int of) {
   std::vector<Sample> result;
@@ -54,9 +61,9 @@ void ClassMap::blend_row(const Logits& logits, const Sample& sample) {
     float* row = &blended_[k * width];
     for (std::size_t x = 0; x < width; ++x) {
       row[x] = (1 - weight) * data[upper + x] + weight * data[lower + x];
-      if (row[x] > blended_[static_cast<std::size_t>(winners_[x]) * width + x]) {
-        winners_[x] = static_cast<int>(k);
-      }
+      const bool wins = k == 0 || row[x] > best_[x];
+      best_[x] = wins ? row[x] : best_[x];
+      winners_[x] = wins ? static_cast<int>(k) : winners_[x];
     }
   }
 }
@@ -81,17 +88,23 @@ std::uint8_t ClassMap::pixel(const Sample& sample) const {
 }
 
 void ClassMap::draw_row(std::uint8_t* row) const {
-  for (std::size_t x = 0; x < columns_.size();) {
-    const Sample& sample = columns_[x];
-    const int winner = winners_[static_cast<std::size_t>(sample.first)];
-    if (winner != winners_[static_cast<std::size_t>(sample.second)]) {
-      row[x++] = pixel(sample);
+  const auto dynamic_winner = [&](std::size_t cell) {
+    return two_classes_ ? winners_[cell] == 1 : dynamic_[static_cast<std::size_t>(winners_[cell])];
+  };
+  const std::size_t last = winners_.size() - 1;
+  for (std::size_t cell = 0; cell <= last;) {
+    const std::size_t begin = cell_begin_[cell];
+    if (winners_[cell] != winners_[std::min(cell + 1, last)]) {
+      for (std::size_t x = begin; x < cell_begin_[cell + 1]; ++x) row[x] = pixel(columns_[x]);
+      ++cell;
       continue;
     }
-    const bool is_dynamic = two_classes_ ? winner == 1 : dynamic_[static_cast<std::size_t>(winner)];
-    const std::size_t begin = x;
-    while (x < columns_.size() && columns_[x].first == sample.first) ++x;
-    std::memset(row + begin, is_dynamic ? kDynamic : 0, x - begin);
+    const std::uint8_t value = dynamic_winner(cell) ? kDynamic : 0;
+    do {
+      ++cell;
+    } while (cell <= last && winners_[cell] == winners_[cell - 1] &&
+             winners_[cell] == winners_[std::min(cell + 1, last)]);
+    std::memset(row + begin, value, cell_begin_[cell] - begin);
   }
 }
 

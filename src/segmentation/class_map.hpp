@@ -36,8 +36,10 @@ class ClassMap {
   std::vector<bool> dynamic_;
   bool two_classes_;  ///< one row: dynamic minus static
   std::vector<Sample> rows_, columns_;
-  std::vector<float> blended_;  ///< [class][column of the logits]
-  std::vector<int> winners_;    ///< [column of the logits]
+  std::vector<float> blended_;           ///< [class][column of the logits]
+  std::vector<int> winners_;             ///< [column of the logits]
+  std::vector<float> best_;              ///< [column of the logits] of the winner
+  std::vector<std::size_t> cell_begin_;  ///< [column of the logits] first mask column between it and the next
 };
 
 }  // namespace stdc
