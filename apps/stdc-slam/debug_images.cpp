@@ -13,17 +13,28 @@ namespace {
 
 // BGR. Told apart also by those who do not see red and green: light blue, orange, light grey.
 const cv::Scalar kInlier(255, 200, 60), kOutlier(40, 110, 255), kUnmatched(190, 190, 190),
-    kText(255, 255, 255);
+    kText(255, 255, 255), kDynamic(200, 60, 160);
 constexpr int kScale = 2;       // of the picture to the image
 constexpr int kBarHeight = 34;  // of the line of text below [px]
 constexpr int kShift = 4;       // fraction bits of OpenCV's drawing coordinates
 
+/// Shows what counts as dynamic.
+void tint(cv::Mat& picture, const cv::Mat& dynamic_mask) {
+  constexpr double kShare = 0.4;
+  cv::Mat mask, mixed;
+  cv::resize(dynamic_mask, mask, picture.size(), 0, 0, cv::INTER_NEAREST);
+  cv::addWeighted(picture, 1 - kShare, cv::Mat(picture.size(), CV_8UC3, kDynamic), kShare, 0, mixed);
+  mixed.copyTo(picture, mask);
+}
+
 /// The image enlarged and darkened, so that marks stand out, with room for text below.
-cv::Mat backdrop(const cv::Mat& grey) {
-  cv::Mat large, dimmed, picture;
+cv::Mat backdrop(const cv::Mat& colour, const cv::Mat& dynamic_mask) {
+  cv::Mat grey = colour, large, dimmed, picture;
+  if (colour.channels() == 3) cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
   cv::resize(grey, large, {}, kScale, kScale, cv::INTER_LINEAR);
   large.convertTo(dimmed, CV_8U, 0.7, 20);
   cv::cvtColor(dimmed, picture, cv::COLOR_GRAY2BGR);
+  if (!dynamic_mask.empty()) tint(picture, dynamic_mask);
   cv::copyMakeBorder(picture, picture, 0, kBarHeight, 0, 0, cv::BORDER_CONSTANT, cv::Scalar(30, 30, 30));
   return picture;
 }
@@ -64,8 +75,8 @@ cv::Scalar colour_of(KeypointState state) {
 
 }  // namespace
 
-cv::Mat draw_keypoints(const cv::Mat& grey, int frame, const TrackingResult& result) {
-  cv::Mat picture = backdrop(grey);
+cv::Mat draw_keypoints(const cv::Mat& colour, int frame, const TrackingResult& result) {
+  cv::Mat picture = backdrop(colour, result.dynamic_mask);
   // Unmatched first: what matters lies on top.
   for (const KeypointState layer :
        {KeypointState::unmatched, KeypointState::outlier, KeypointState::inlier}) {
@@ -87,11 +98,16 @@ cv::Mat draw_keypoints(const cv::Mat& grey, int frame, const TrackingResult& res
   return picture;
 }
 
-cv::Mat draw_cells(const cv::Mat& grey, int frame, const FeatureSettings& settings) {
+cv::Mat draw_cells(const cv::Mat& colour, const cv::Mat& dynamic_mask, int frame,
+                   const FeatureSettings& settings) {
   const cv::Scalar line(120, 170, 60), high(80, 220, 255), low(255, 120, 220);
   FeatureExtractor extractor(settings);
-  const Features features = extractor.extract(grey);
-  cv::Mat picture = backdrop(grey);
+  cv::Mat grey = colour;
+  if (colour.channels() == 3) cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
+  extractor.detect(grey);
+  extractor.reject(dynamic_mask);
+  const Features features = extractor.select();
+  cv::Mat picture = backdrop(grey, dynamic_mask);
   const std::vector<SelectionCell>& cells = extractor.cells();
   int count = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -118,10 +134,11 @@ cv::Mat draw_cells(const cv::Mat& grey, int frame, const FeatureSettings& settin
 DebugImages::DebugImages(const std::filesystem::path& folder, int every, const FeatureSettings& settings)
     : folder_(folder), every_(every), settings_(settings) {}
 
-void DebugImages::add_frame(const cv::Mat& grey, int frame, const TrackingResult& result) {
+void DebugImages::add_frame(const cv::Mat& colour, int frame, const TrackingResult& result) {
   if (result.frame % every_ != 0 && result.status != TrackingStatus::lost) return;
-  folder_.write(fmt::format("keypoints_{:06}.png", frame), encode_png(draw_keypoints(grey, frame, result)));
-  folder_.write(fmt::format("cells_{:06}.png", frame), encode_png(draw_cells(grey, frame, settings_)));
+  folder_.write(fmt::format("keypoints_{:06}.png", frame), encode_png(draw_keypoints(colour, frame, result)));
+  folder_.write(fmt::format("cells_{:06}.png", frame),
+                encode_png(draw_cells(colour, result.dynamic_mask, frame, settings_)));
 }
 
 void DebugImages::add_top_view(const TopView& view) {

@@ -23,19 +23,20 @@ struct TopView {
 /// points up), else the x-z plane of the first camera. BGR, 1600 x 1200 px.
 cv::Mat draw_top_view(const TopView& view);
 
-/// Draws keypoints over a grey image twice its size: the colour says inlier, outlier or unmatched, a filled
-/// disc is of high quality and a ring of low quality.
-cv::Mat draw_keypoints(const cv::Mat& grey, int frame, const TrackingResult& result);
+/// Draws keypoints over the image in grey, twice its size: the colour says inlier, outlier or unmatched, a
+/// filled disc is of high quality and a ring of low quality. What is dynamic is tinted.
+cv::Mat draw_keypoints(const cv::Mat& colour, int frame, const TrackingResult& result);
 /// Draws the quadtree cells of one level with the keypoints that were chosen from them.
-cv::Mat draw_cells(const cv::Mat& grey, int frame, const FeatureSettings& settings);
+cv::Mat draw_cells(const cv::Mat& colour, const cv::Mat& dynamic_mask, int frame,
+                   const FeatureSettings& settings);
 
 /// The pictures of --debug-images, all written at the end like other results.
 class DebugImages {
  public:
   /// @param every  draws every n-th frame, and the lost ones
   DebugImages(const std::filesystem::path& folder, int every, const FeatureSettings& settings);
-  /// `grey`: CV_8UC1. `result` must have its keypoints.
-  void add_frame(const cv::Mat& grey, int frame, const TrackingResult& result);
+  /// `colour`: CV_8UC1 or CV_8UC3. `result` must have its keypoints.
+  void add_frame(const cv::Mat& colour, int frame, const TrackingResult& result);
   void add_top_view(const TopView& view);
   void commit();
 

@@ -99,7 +99,7 @@ std::vector<Row> measure_frames(const Options& options) {
       row.selections[s] = measure(extractors[s].extract(grey), grey.size());
       if (!pictures) continue;
       pictures->write(fmt::format("features-{:05}-{}.png", frame, enum_name(kSelections[s])),
-                      encode_png(draw_cells(grey, frame, extractors[s].settings())));
+                      encode_png(draw_cells(grey, cv::Mat(), frame, extractors[s].settings())));
     }
     progress.update(static_cast<int>(rows.size()));
   }

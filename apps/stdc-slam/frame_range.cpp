@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "core/error.hpp"
-#include "run_sequence.hpp"
+#include "sequence_input.hpp"
 
 namespace stdc::app {
 namespace {

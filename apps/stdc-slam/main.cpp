@@ -15,7 +15,9 @@ int main(int argc, char** argv) {
     return std::string("stdc-slam: ") + error.what() + "; run with --help to see the options\n";
   });
   stdc::app::add_run_command(app);
+  stdc::app::add_segment_command(app);
   stdc::app::add_evaluate_command(app);
+  stdc::app::add_ablation_command(app);
   stdc::app::add_features_command(app);
   stdc::app::add_render_command(app);
   stdc::app::add_settings_command(app);

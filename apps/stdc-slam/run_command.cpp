@@ -25,6 +25,7 @@ Examples:
   stdc-slam run rgbd_dataset_freiburg1_xyz --output results
   stdc-slam run my-sequence --camera my-camera.yaml --output results --frames 100:400
   stdc-slam run my-sequence --output results --set features.keypoints=2000 --selection orb-slam3
+  stdc-slam run my-sequence --output results --segmentation network --realtime
   stdc-slam run my-sequence --output results --debug-images pictures --debug-every 30)";
 
 void add_options(CLI::App& command, RunOptions& options) {
@@ -32,11 +33,14 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("--output,-o", options.output, "Folder for the results; made if need be")->required();
   command.add_option("--camera", options.camera, "Camera file, if the sequence has none");
   add_settings_options(command, options.settings);
+  add_segmentation_options(command, options.segmentation);
   command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
   command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
   command
       .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
       ->capture_default_str();
+  command.add_flag("--realtime", options.realtime,
+                   "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
   command.footer(kFooter);
 }

@@ -18,6 +18,8 @@ struct Stage {
 
 constexpr std::array kStages{
     Stage{"extraction", &StageTimes::extraction},
+    Stage{"mask_wait", &StageTimes::mask_wait},
+    Stage{"rejection", &StageTimes::rejection},
     Stage{"prediction", &StageTimes::prediction},
     Stage{"local_map", &StageTimes::local_map},
     Stage{"keyframe", &StageTimes::keyframe},
@@ -26,11 +28,16 @@ constexpr std::array kStages{
     Stage{"total_cpu", &StageTimes::total_cpu},
 };
 
-nlohmann::ordered_json to_json(const Quantiles& q) {
-  return {{"median", q.median}, {"p95", q.p95}, {"p99", q.p99}};
-}
-
 bool processed(const TrackingResult& result) { return result.status != TrackingStatus::skipped; }
+
+/// Where nothing was segmented, nothing stands.
+std::string segmentation_columns(const std::optional<SegmentationReport>& report) {
+  if (!report) return ",,,,,";
+  std::string text = ",,";
+  if (report->mask_age >= 0) text = fmt::format(",{:.4f},{}", report->dynamic_share, report->mask_age);
+  text += report->segmentation_ms ? fmt::format(",{:.3f}", *report->segmentation_ms) : ",";
+  return text + fmt::format(",{:.3f},{:.3f}", report->propagation_ms, report->refinement_ms);
+}
 
 std::string csv_row(const TrackingResult& r) {
   std::string row =
@@ -39,6 +46,7 @@ std::string csv_row(const TrackingResult& r) {
   for (const Stage& stage : kStages) {
     fmt::format_to(std::back_inserter(row), ",{:.3f}", r.milliseconds.*stage.time);
   }
+  row += segmentation_columns(r.segmentation);
   if (r.mapping) {
     fmt::format_to(std::back_inserter(row), ",{:.3f},{:.3f},{},{},{}\n", r.mapping->total_ms,
                    r.mapping->bundle_adjustment_ms, r.mapping->bundle_keyframes, r.mapping->bundle_landmarks,
@@ -61,6 +69,10 @@ Quantiles quantiles(std::vector<double> values) {
   return {rank(0.5), rank(0.95), rank(0.99)};
 }
 
+nlohmann::ordered_json to_json(const Quantiles& q) {
+  return {{"median", q.median}, {"p95", q.p95}, {"p99", q.p99}};
+}
+
 const char* status_name(TrackingStatus status) {
   switch (status) {
     case TrackingStatus::initialising:
@@ -75,10 +87,12 @@ const char* status_name(TrackingStatus status) {
   return "?";
 }
 
-void RunRecord::add(const TrackingResult& result) {
+void RunRecord::add(const TrackingResult& result, std::optional<double> lag_ms) {
+  if (lag_ms) lags_.push_back(*lag_ms);
   results_.push_back(result);
   results_.back().keypoints = {};
   results_.back().keypoint_states = {};
+  results_.back().dynamic_mask.release();
   switch (result.status) {
     case TrackingStatus::initialising:
       ++counts_.initialising;
@@ -98,6 +112,7 @@ void RunRecord::add(const TrackingResult& result) {
 std::string RunRecord::frames_csv() const {
   std::string text = "frame,timestamp,status,keypoints_high,keypoints_low,matches,inliers,is_keyframe";
   for (const Stage& stage : kStages) text += fmt::format(",{}_ms", stage.name);
+  text += ",dynamic_share,mask_age,segmentation_ms,propagation_ms,refinement_ms";
   text += ",mapping_ms,bundle_adjustment_ms,bundle_keyframes,bundle_landmarks,bundle_observations\n";
   for (const TrackingResult& result : results_) text += csv_row(result);
   return text;
@@ -125,6 +140,64 @@ nlohmann::ordered_json RunRecord::mapping() const {
           {"bundle_keyframes", to_json(quantiles(keyframes))},
           {"bundle_landmarks", to_json(quantiles(landmarks))},
           {"bundle_observations", to_json(quantiles(observations))}};
+}
+
+namespace {
+
+/// The lists of what the reports say.
+struct SegmentationLists {
+  explicit SegmentationLists(const std::vector<TrackingResult>& results) {
+    for (const TrackingResult& result : results) {
+      if (!result.segmentation) continue;
+      const SegmentationReport& report = *result.segmentation;
+      there = true;
+      if (report.segmentation_ms) segmentation.push_back(*report.segmentation_ms);
+      propagation.push_back(report.propagation_ms);
+      refinement.push_back(report.refinement_ms);
+      if (report.mask_age < 0) {
+        ++without_mask;
+        continue;
+      }
+      ages.push_back(report.mask_age);
+      shares.push_back(report.dynamic_share);
+    }
+  }
+  std::vector<double> segmentation, propagation, refinement, ages, shares;
+  int without_mask = 0;
+  bool there = false;
+};
+
+}  // namespace
+
+nlohmann::ordered_json RunRecord::segmentation() const {
+  const SegmentationLists lists(results_);
+  if (!lists.there) return nullptr;
+  return {{"segmented_frames", lists.segmentation.size()},
+          {"frames_without_mask", lists.without_mask},
+          {"segmentation_ms", to_json(quantiles(lists.segmentation))},
+          {"propagation_ms", to_json(quantiles(lists.propagation))},
+          {"refinement_ms", to_json(quantiles(lists.refinement))},
+          {"mask_age_frames", to_json(quantiles(lists.ages))},
+          {"dynamic_share", to_json(quantiles(lists.shares))}};
+}
+
+std::string RunRecord::segmentation_text() const {
+  std::string text;
+  const SegmentationLists lists(results_);
+  if (lists.there) {
+    const Quantiles time = quantiles(lists.segmentation), share = quantiles(lists.shares);
+    text = fmt::format(
+        "segmentation {:.1f} ms a mask (median; 95 %: {:.1f}), masks {:.0f} frames old (median), dynamic {:.0f} "
+        "% of the view (median; 95 %: {:.0f})\n",
+        time.median, time.p95, quantiles(lists.ages).median, 100 * share.median, 100 * share.p95);
+    if (lists.without_mask > 0) text += fmt::format("{} frames had no mask\n", lists.without_mask);
+  }
+  if (!lags_.empty()) {
+    const Quantiles lag = quantiles(lags_);
+    text += fmt::format("in real time: {:.1f} ms from image to pose (median; 95 %: {:.1f}, 99 %: {:.1f})\n",
+                        lag.median, lag.p95, lag.p99);
+  }
+  return text;
 }
 
 Quantiles RunRecord::stage(double StageTimes::*time) const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "segmentation_options.hpp"
 #include "settings_options.hpp"
 
 namespace stdc::app {
@@ -13,15 +14,14 @@ struct RunOptions {
   std::filesystem::path sequence, output;
   std::optional<std::filesystem::path> camera, debug_images;
   SettingsOptions settings;
+  SegmentationOptions segmentation;
   std::string frames;    ///< "A:B": frames A..B-1 of the sequence; either may be missing
   int debug_every = 10;  ///< a picture of every n-th frame
+  bool realtime = false;  ///< frames come at the pace of their timestamps
   bool quiet = false;
 };
 
 /// Runs on a sequence and writes the results. Throws Error for bad input; then nothing is written.
 void run_sequence(const RunOptions& options);
-
-/// The half-open range of "A:B" within `count` frames. Throws Error.
-std::pair<int, int> parse_frame_range(const std::string& text, int count);
 
 }  // namespace stdc::app

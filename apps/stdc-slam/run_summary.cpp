@@ -51,8 +51,8 @@ double coverage(const StatusCounts& counts) {
   return counts.total() > 0 ? static_cast<double>(counts.ok) / counts.total() : 0;
 }
 
-double frames_per_second(const RunSummary& summary, const StatusCounts& counts) {
-  return counts.total() / std::max(summary.processing_seconds, 1e-3);
+double frames_per_second(const RunRecord& record) {
+  return record.counts().total() / std::max(record.processing_seconds(), 1e-3);
 }
 
 }  // namespace
@@ -73,14 +73,16 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
       {"coverage", coverage(counts)},
       {"keyframes", summary.keyframes},
       {"landmarks", summary.landmarks},
-      {"start_up_seconds", summary.start_up_seconds},
-      {"processing_seconds", summary.processing_seconds},
-      {"frames_per_second", frames_per_second(summary, counts)},
+      {"start_up_seconds", record.start_up_seconds()},
+      {"processing_seconds", record.processing_seconds()},
+      {"frames_per_second", frames_per_second(record)},
       {"cpu_seconds", summary.usage.cpu_seconds},
       {"peak_memory_mb", summary.usage.peak_memory_mb},
       {"stage_milliseconds", record.stage_milliseconds()},
       {"mapping", record.mapping()},
+      {"segmentation", record.segmentation()},
   };
+  if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
   if (summary.scores) json["scores"] = scores_to_json(*summary.scores);
   if (!summary.not_scored.empty()) json["not_scored"] = summary.not_scored;
   json["camera"] = camera_to_json(summary.camera);
@@ -100,9 +102,10 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   text += fmt::format(
       "{:.1f} frames a second; tracking {:.1f} ms a frame (median; 95 %: {:.1f}, 99 %: {:.1f}; CPU: "
       "{:.1f})\n",
-      frames_per_second(summary, counts), tracking.median, tracking.p95, tracking.p99, cpu.median);
+      frames_per_second(record), tracking.median, tracking.p95, tracking.p99, cpu.median);
+  text += record.segmentation_text();
   text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
-                      summary.usage.cpu_seconds, summary.usage.peak_memory_mb, summary.start_up_seconds);
+                      summary.usage.cpu_seconds, summary.usage.peak_memory_mb, record.start_up_seconds());
   if (summary.scores) text.append("\n").append(format_scores(*summary.scores));
   if (!summary.not_scored.empty()) text += fmt::format("not scored: {}\n", summary.not_scored);
   return text;

@@ -17,8 +17,6 @@ struct RunSummary {
   int first_frame = 0;
   int colour_without_depth = 0;
   int keyframes = 0, landmarks = 0;
-  double start_up_seconds = 0;    ///< from the start of the process to the end of the first frame
-  double processing_seconds = 0;  ///< wall, from the first frame to the end of the last
   ProcessUsage usage;
   std::optional<TrajectoryScores> scores;
   std::string not_scored;  ///< why there are no scores though there is a ground truth

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "segmentation_options.hpp"
 #include "slam/settings.hpp"
 
 namespace CLI {
@@ -20,8 +21,8 @@ struct SettingsOptions {
 
 /// Adds --settings, --selection and --set to a command.
 void add_settings_options(CLI::App& command, SettingsOptions& options);
-/// The defaults, changed by the file, then by the selection, then by the assignments in their order.
+/// The defaults, changed by the file, then by the options, then by the assignments in their order.
 /// Throws Error.
-Settings chosen_settings(const SettingsOptions& options);
+Settings chosen_settings(const SettingsOptions& options, const SegmentationOptions& segmentation = {});
 
 }  // namespace stdc::app

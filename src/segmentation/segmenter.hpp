@@ -16,9 +16,11 @@ struct SegmenterInput {
 class Segmenter {
  public:
   virtual ~Segmenter() = default;
-  /// @returns CV_8UC1 of the image's size, 255 = dynamic, else 0.
+  /// @returns CV_8UC1 of the image's size, 255 = dynamic, else 0; empty: the frame could not be segmented.
   /// May be called from one thread at a time, any thread. Throws Error for an image of another type.
   virtual cv::Mat segment(const SegmenterInput& input) = 0;
+  /// The masks are those of the frame so many calls before.
+  virtual int delay() const { return 0; }
 };
 
 }  // namespace stdc

@@ -11,13 +11,18 @@
 
 namespace stdc {
 
-Pipeline::Pipeline(const Camera& camera, const Settings& settings)
+Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
     : camera_(camera),
       settings_(settings),
       extractor_(settings.features),
       tracker_(camera, settings.tracking, settings.noise, settings.pose_optimisation),
       mapper_(camera, settings.mapping, settings.noise, settings.bundle_adjustment,
-              settings.tracking.close_depth) {}
+              settings.tracking.close_depth) {
+  if (segmenter) {
+    semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
+                                                  settings.propagation, std::move(segmenter));
+  }
+}
 
 TrackingResult Pipeline::track(const RgbdImage& image) {
   check(image);
@@ -25,8 +30,8 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   Stopwatch total, watch;
   TrackingResult result;
   result.timestamp = image.timestamp;
-  TrackedFrame frame = extract(image);
-  result.milliseconds.extraction = watch.lap_ms();
+  TrackedFrame frame = extract(image, result);
+  watch.lap_ms();
   take_in(result);
   result.milliseconds.keyframe = watch.lap_ms() - result.milliseconds.wait;
   result.status = locate(frame);
@@ -61,14 +66,36 @@ TrackingResult Pipeline::skip(double timestamp) {
   return result;
 }
 
-TrackedFrame Pipeline::extract(const RgbdImage& image) {
+/// Candidates are found beside segmentation; when both are done, those on dynamic pixels go, and the whole
+/// budget is spent on the rest.
+TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
+  Stopwatch watch;
   cv::Mat grey = image.colour;
   if (image.colour.channels() == 3) cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
-  auto features = std::make_shared<FrameFeatures>(camera_, extractor_.extract(grey), image.depth,
+  if (semantics_) {
+    semantics_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
+  }
+  extractor_.detect(grey);
+  if (semantics_) reject_dynamic(result);
+  auto features = std::make_shared<FrameFeatures>(camera_, extractor_.select(), image.depth,
                                                   settings_.features.scale_factor,
                                                   extractor_.levels(grey.size()), &extractor_.pyramid());
+  StageTimes& times = result.milliseconds;
+  times.extraction = watch.lap_ms() - times.mask_wait - times.rejection;
   last_time_ = image.timestamp;
   return {camera_, next_frame_++, image.timestamp, std::move(features)};
+}
+
+void Pipeline::reject_dynamic(TrackingResult& result) {
+  Stopwatch watch;
+  const DynamicMask dynamic = semantics_->finish();
+  result.milliseconds.mask_wait = watch.lap_ms();
+  extractor_.reject(dynamic.mask);
+  result.milliseconds.rejection = watch.lap_ms();
+  result.segmentation =
+      SegmentationReport{dynamic.age,           dynamic.share,         dynamic.segmentation_ms,
+                         dynamic.propagation_ms, dynamic.refinement_ms, dynamic.problem};
+  if (settings_.system.report_keypoints) result.dynamic_mask = dynamic.mask;
 }
 
 /// The map comes back from the mapper at the frame that was fixed when it was given away, or when tracking

@@ -8,6 +8,7 @@
 #include "features/extractor.hpp"
 #include "map/map.hpp"
 #include "mapping/local_mapper.hpp"
+#include "slam/semantic_thread.hpp"
 #include "slam/settings.hpp"
 #include "slam/slam.hpp"
 #include "slam/worker.hpp"
@@ -22,7 +23,8 @@ namespace stdc {
 /// never decide a result.
 class Pipeline {
  public:
-  Pipeline(const Camera& camera, const Settings& settings);
+  /// `segmenter`: null for none.
+  Pipeline(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter);
 
   TrackingResult track(const RgbdImage& image);
   TrackingResult skip(double timestamp);
@@ -43,7 +45,8 @@ class Pipeline {
     MappingOutcome outcome;
   };
 
-  TrackedFrame extract(const RgbdImage& image);
+  TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
+  void reject_dynamic(TrackingResult& result);
   void take_in(TrackingResult& result);
   TrackingStatus locate(TrackedFrame& frame);
   bool initialise(TrackedFrame& frame);
@@ -59,6 +62,7 @@ class Pipeline {
   Camera camera_;
   Settings settings_;
   FeatureExtractor extractor_;
+  std::unique_ptr<SemanticThread> semantics_;  ///< null: everything counts as static
   Tracker tracker_;
   LocalMapper mapper_;
   Map map_;

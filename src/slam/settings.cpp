@@ -7,6 +7,7 @@ namespace stdc {
 void Settings::validate() const {
   describe(*this, [](const char* section, const auto& settings) { check_ranges(section, settings); });
   features.validate();
+  refinement.validate();
 }
 
 }  // namespace stdc

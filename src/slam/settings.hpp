@@ -5,6 +5,11 @@
 #include "estimation/pose_optimisation.hpp"
 #include "features/feature_settings.hpp"
 #include "mapping/mapping_settings.hpp"
+#include "segmentation/mask_degradation.hpp"
+#include "segmentation/network_settings.hpp"
+#include "segmentation/propagation.hpp"
+#include "segmentation/refinement.hpp"
+#include "segmentation/segmentation_settings.hpp"
 #include "tracking/tracking_settings.hpp"
 
 namespace stdc {
@@ -30,6 +35,11 @@ struct SystemSettings {
 /// All settings, by section. One YAML file mirrors them: see settings_io.hpp.
 struct Settings {
   FeatureSettings features;
+  SegmentationSettings segmentation;
+  NetworkSettings network;
+  RefinementSettings refinement;
+  PropagationSettings propagation;
+  MaskDegradationSettings mask_degradation;
   NoiseSettings noise;
   TrackingSettings tracking;
   PoseOptimisationSettings pose_optimisation;
@@ -41,6 +51,11 @@ struct Settings {
   template <typename Self, typename Visit>
   static void describe(Self& self, Visit&& visit) {
     visit("features", self.features);
+    visit("segmentation", self.segmentation);
+    visit("network", self.network);
+    visit("refinement", self.refinement);
+    visit("propagation", self.propagation);
+    visit("mask_degradation", self.mask_degradation);
     visit("noise", self.noise);
     visit("tracking", self.tracking);
     visit("pose_optimisation", self.pose_optimisation);

@@ -20,12 +20,13 @@ Settings valid(const Settings& settings) {
 }  // namespace
 
 struct Slam::Implementation {
-  Implementation(const Camera& camera, const Settings& settings) : pipeline(valid(camera), valid(settings)) {}
+  Implementation(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
+      : pipeline(valid(camera), valid(settings), std::move(segmenter)) {}
   Pipeline pipeline;
 };
 
-Slam::Slam(const Camera& camera, const Settings& settings)
-    : implementation_(std::make_unique<Implementation>(camera, settings)) {}
+Slam::Slam(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
+    : implementation_(std::make_unique<Implementation>(camera, settings, std::move(segmenter))) {}
 
 Slam::~Slam() = default;
 

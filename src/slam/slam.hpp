@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/camera.hpp"
 #include "core/pose.hpp"
 #include "core/rgbd_image.hpp"
 #include "features/keypoint.hpp"
+#include "segmentation/segmenter.hpp"
 #include "slam/settings.hpp"
 
 namespace stdc {
@@ -25,7 +27,9 @@ enum class KeypointState : std::uint8_t { unmatched, inlier, outlier };
 
 /// Wall milliseconds of the tracking thread spent on one frame, by stage.
 struct StageTimes {
-  double extraction = 0;  ///< pyramid to descriptors
+  double extraction = 0;  ///< pyramid to descriptors, without what follows
+  double mask_wait = 0;   ///< waiting for the mask, once the candidates are found
+  double rejection = 0;   ///< dropping the candidates on dynamic pixels
   double prediction = 0;  ///< matching to the last frame or the reference keyframe, first optimisation
   double local_map = 0;   ///< matching to the local map, second optimisation
   double keyframe = 0;    ///< deciding on and inserting a keyframe, taking in the mapper's result
@@ -41,6 +45,16 @@ struct MappingReport {
   int bundle_keyframes = 0, bundle_landmarks = 0, bundle_observations = 0;
 };
 
+/// What the semantic thread found out about a frame.
+struct SegmentationReport {
+  int mask_age = -1;         ///< frames between the image that was segmented and this one; -1: there is no mask
+  double dynamic_share = 0;  ///< of the pixels, after refinement
+  std::optional<double> segmentation_ms;  ///< wall, of the segmentation that was taken in at this frame, if any
+  double propagation_ms = 0;              ///< wall, carrying the mask to this frame
+  double refinement_ms = 0;               ///< wall, of the SRM
+  std::string problem;                    ///< why a frame could not be segmented; empty: none
+};
+
 /// What track() tells about a frame.
 struct TrackingResult {
   int frame = 0;  ///< counts calls of track() and skip()
@@ -53,8 +67,10 @@ struct TrackingResult {
   bool is_keyframe = false;
   StageTimes milliseconds;
   std::optional<MappingReport> mapping;
+  std::optional<SegmentationReport> segmentation;  ///< if there is a segmenter
   std::vector<Keypoint> keypoints;             ///< raw pixels; filled if SystemSettings.report_keypoints
   std::vector<KeypointState> keypoint_states;  ///< same length
+  cv::Mat dynamic_mask;  ///< CV_8UC1, 255 = dynamic, or empty; filled like the keypoints
 };
 
 /// A pose of the finished trajectory.
@@ -74,8 +90,9 @@ struct FramePose {
 /// The same frames and settings give the same results, however fast the machine is and whatever else it does.
 class Slam {
  public:
+  /// @param segmenter  finds what moves by itself; null: nothing does. See make_segmenter.hpp.
   /// Throws Error if the camera or a setting is invalid.
-  Slam(const Camera& camera, const Settings& settings);
+  Slam(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter = nullptr);
   ~Slam();
   Slam(const Slam&) = delete;
   Slam& operator=(const Slam&) = delete;

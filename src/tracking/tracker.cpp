@@ -30,6 +30,11 @@ Pose Tracker::predict(double timestamp) const {
   return Pose::exp(velocity_ * (timestamp - last_->timestamp)) * last_->cam_from_world;
 }
 
+std::optional<Pose> Tracker::predicted_motion(double timestamp) const {
+  if (!last_ || !velocity_known_) return std::nullopt;
+  return Pose::exp(velocity_ * (timestamp - last_->timestamp));
+}
+
 /// A camera in a hand keeps its velocity but for an acceleration that is as likely one way as the other (the
 /// white-noise-on-acceleration prior; Barfoot, State Estimation for Robotics, ch. 11). It decides where a
 /// blurred frame shows little, and hardly matters where a sharp one shows much.

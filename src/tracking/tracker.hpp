@@ -39,6 +39,9 @@ class Tracker {
   void forget();
   bool has_last() const { return last_.has_value(); }
   const TrackedFrame& last() const { return *last_; }
+  /// How the camera has moved since the last frame if it kept its velocity, frame_from_last; nothing after a
+  /// loss.
+  std::optional<Pose> predicted_motion(double timestamp) const;
   /// The map has changed: the last frame moves with its reference keyframe.
   void follow(const Map& map);
   /// Gives the map the counts of landmarks visible and found since the last call.

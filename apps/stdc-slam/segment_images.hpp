@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stdc::app {
+
+/// An image to be segmented.
+struct SegmentImage {
+  std::filesystem::path path;
+  std::string name;                 ///< of the file, without extension; results are named after it
+  std::optional<double> timestamp;  ///< [s], of a sequence
+};
+
+/// The images of `input`: one file; the colour images of a folder in TUM RGB-D layout; or else all PNG and
+/// JPEG files of a folder by name. `range`: "A:B", or empty for all. Throws Error if there are none.
+std::vector<SegmentImage> list_segment_images(const std::filesystem::path& input, const std::string& range);
+
+/// Reads an image of any size as CV_8UC3 or CV_8UC1. Throws Error naming the file.
+cv::Mat load_segment_image(const std::filesystem::path& path);
+
+/// What a mask is compared with.
+struct TruthMask {
+  cv::Mat mask;    ///< CV_8UC1, not 0 = dynamic
+  cv::Mat ignore;  ///< CV_8UC1, not 0 = in doubt; may be empty
+};
+
+/// How true masks are stored.
+enum class TruthKind {
+  masks,   ///< 128 and above = dynamic
+  labels,  ///< 0 = background, 255 = in doubt, others = dynamic
+};
+
+/// The true mask of an image in `folder`: the PNG of the same name or, for sequences, of the same time (as
+/// `run --masks` finds it); nothing if there is none. Throws Error for a damaged one or another size.
+std::optional<TruthMask> load_truth(const std::filesystem::path& folder, const SegmentImage& image,
+                                    cv::Size size, TruthKind kind);
+
+}  // namespace stdc::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/image_codec.hpp"
+#include "segmentation/segmenter.hpp"
+#include "slam/settings.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace stdc::app {
+
+/// The options by which commands choose where masks come from.
+struct SegmentationOptions {
+  std::string source;                        ///< --segmentation off|network|masks; empty: as in the settings
+  std::string refinement;                    ///< --refinement on|off; empty: as in the settings
+  std::optional<std::string> masks, weights;  ///< --masks FOLDER, --weights FILE
+};
+
+/// Adds --segmentation, --refinement, --masks and --weights to a command.
+void add_segmentation_options(CLI::App& command, SegmentationOptions& options);
+/// Changes the settings as the options say. Throws Error.
+void apply_segmentation_options(const SegmentationOptions& options, Settings& settings);
+/// Only the network looks at colours; without it, grey is decoded faster.
+ColourMode colour_mode(const Settings& settings);
+/// The segmenter that the settings ask for; null if segmentation is off.
+/// @param sequence  folder of the sequence: masks are taken from its `mask` folder if --masks is not given
+/// Throws Error if its weights or masks are missing or wrong.
+std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
+                                            const std::string& sequence);
+
+}  // namespace stdc::app

@@ -1,0 +1,266 @@
+#include "segmentation/propagation_warp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace stdc {
+namespace {
+
+using Eigen::Vector2f;
+
+constexpr float kUnknown = 0;
+
+/// Which tile each cell of the frame shows.
+class TileMap {
+ public:
+  TileMap(const std::vector<MaskTile>& tiles, const SmallFrame& frame)
+      : tiles_(tiles),
+        width_(frame.width()),
+        height_(frame.height()),
+        owner_(static_cast<std::size_t>(width_ * height_), -1),
+        distance_(owner_.size(), 0) {
+    for (int i = 0; i < static_cast<int>(tiles_.size()); ++i) place(i);
+    close_gaps();
+    close_gaps();
+  }
+  /// nullptr where there is none.
+  const MaskTile* at(int x, int y) const {
+    const int owner = owner_[index(x, y)];
+    return owner < 0 ? nullptr : &tiles_[static_cast<std::size_t>(owner)];
+  }
+  /// All cells that have a tile are in there.
+  const cv::Rect& box() const { return box_; }
+
+ private:
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
+
+  /// Places a tile and, if it has left an edge of the image behind, copies of it from there on.
+  void place(int i) {
+    const MaskTile& tile = tiles_[static_cast<std::size_t>(i)];
+    const auto extra = [](float gap) {
+      constexpr float kMost = 24;  // [cells]
+      return static_cast<int>(std::ceil(std::clamp(gap, 0.0F, kMost) / MaskTile::kSide));
+    };
+    const int left = tile.x == 0 ? extra(tile.shift.x()) : 0, top = tile.y == 0 ? extra(tile.shift.y()) : 0;
+    const int right = tile.x + MaskTile::kSide >= width_ ? extra(-tile.shift.x()) : 0;
+    const int bottom = tile.y + MaskTile::kSide >= height_ ? extra(-tile.shift.y()) : 0;
+    for (int y = -top; y <= bottom; ++y) {
+      for (int x = -left; x <= right; ++x) {
+        const Vector2f offset(static_cast<float>(x * MaskTile::kSide),
+                              static_cast<float>(y * MaskTile::kSide));
+        claim(i, tile.middle() + offset);
+      }
+    }
+  }
+
+  /// The cells around a middle: nearer depth wins, then the nearer middle.
+  void claim(int i, const Vector2f& middle) {
+    constexpr float kReach = 0.5F * MaskTile::kSide, kBefore = 0.3F;  // [cells], [m]
+    const int left = std::max(static_cast<int>(std::ceil(middle.x() - kReach)), 0);
+    const int top = std::max(static_cast<int>(std::ceil(middle.y() - kReach)), 0);
+    const int right = std::min(static_cast<int>(std::floor(middle.x() + kReach)), width_ - 1);
+    const int bottom = std::min(static_cast<int>(std::floor(middle.y() + kReach)), height_ - 1);
+    if (left > right || top > bottom) return;
+    box_ |= cv::Rect(cv::Point(left, top), cv::Point(right + 1, bottom + 1));
+    const float depth = tiles_[static_cast<std::size_t>(i)].depth;
+    for (int y = top; y <= bottom; ++y) {
+      for (int x = left; x <= right; ++x) {
+        const std::size_t cell = index(x, y);
+        const float distance =
+            (middle - Vector2f(static_cast<float>(x), static_cast<float>(y))).squaredNorm();
+        if (owner_[cell] >= 0) {
+          const float other = tiles_[static_cast<std::size_t>(owner_[cell])].depth;
+          const bool known = depth != kUnknown && other != kUnknown;
+          if (known && depth > other + kBefore) continue;
+          const bool before = known && depth < other - kBefore;
+          if (!before && distance >= distance_[cell]) continue;
+        }
+        owner_[cell] = i;
+        distance_[cell] = distance;
+      }
+    }
+  }
+
+  /// Cells without a tile take that of a neighbour.
+  void close_gaps() {
+    const std::vector<int> before = owner_;
+    constexpr int kNeighbours[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    box_ =
+        cv::Rect(box_.x - 1, box_.y - 1, box_.width + 2, box_.height + 2) & cv::Rect(0, 0, width_, height_);
+    for (int y = box_.y; y < box_.br().y; ++y) {
+      for (int x = box_.x; x < box_.br().x; ++x) {
+        int& owner = owner_[index(x, y)];
+        for (int i = 0; owner < 0 && i < 4; ++i) {
+          const int u = x + kNeighbours[i][0], v = y + kNeighbours[i][1];
+          if (u >= 0 && v >= 0 && u < width_ && v < height_) owner = before[index(u, v)];
+        }
+      }
+    }
+  }
+
+  const std::vector<MaskTile>& tiles_;
+  int width_, height_;
+  cv::Rect box_;  ///< of the cells that have an owner
+  std::vector<int> owner_;
+  std::vector<float> distance_;
+};
+
+/// The depths expected in each cell of a box and around it, row by row with room for `reach` on either side.
+class RangeMap {
+ public:
+  RangeMap(const cv::Rect& box, int reach)
+      : box_(box),
+        reach_(reach),
+        stride_(box.width + 2 * reach),
+        low_(static_cast<std::size_t>(stride_ * (box.height + 2 * reach)), kInfinity),
+        high_(low_.size(), -kInfinity) {}
+
+  /// A cell with moved pixels, whose depth is expected to be `depth`; kUnknown: could be anything.
+  void note(int x, int y, float depth) {
+    const std::size_t i = index(x, y);
+    low_[i] = depth == kUnknown ? -kInfinity : depth;
+    high_[i] = depth == kUnknown ? kInfinity : depth;
+  }
+  /// Spreads the ranges to the cells up to `reach` away.
+  void spread() {
+    const auto smaller = [](float a, float b) { return a < b ? a : b; };
+    const auto larger = [](float a, float b) { return a > b ? a : b; };
+    spread(low_, kInfinity, smaller);
+    spread(high_, -kInfinity, larger);
+  }
+  float low(int x, int y) const { return low_[index(x, y)]; }
+  float high(int x, int y) const { return high_[index(x, y)]; }
+
+ private:
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>((y - box_.y + reach_) * stride_ + x - box_.x + reach_);
+  }
+
+  template <typename Better>
+  void spread(std::vector<float>& values, float none, const Better& better) {
+    std::vector<float> along(values.size(), none);
+    const auto merge = [&](const float* from, float* to, int count) {
+      for (int i = 0; i < count; ++i) to[i] = better(to[i], from[i]);
+    };
+    const int inside = static_cast<int>(values.size()) - 2 * reach_;
+    for (int i = -reach_; i <= reach_; ++i) {
+      merge(values.data() + reach_ + i, along.data() + reach_, inside);
+    }
+    const int margin = reach_ * stride_;
+    for (int i = -reach_; i <= reach_; ++i) {
+      merge(along.data() + margin + i * stride_, values.data() + margin,
+            static_cast<int>(values.size()) - 2 * margin);
+    }
+  }
+
+  cv::Rect box_;
+  int reach_, stride_;
+  std::vector<float> low_, high_;
+};
+
+/// Copies what a tile brings to one cell; whether that is any.
+bool copy_cell(const cv::Mat& original, const MaskTile& tile, cv::Point cell, int scale, cv::Mat& result) {
+  const auto shift = [scale](float cells) {
+    return static_cast<int>(std::floor(cells * static_cast<float>(scale) + 0.5F));
+  };
+  const int left = cell.x * scale - shift(tile.shift.x()), top = cell.y * scale - shift(tile.shift.y());
+  const bool inside = left >= 0 && left + scale <= original.cols;
+  std::uint32_t any = 0;
+  for (int i = 0; i < scale; ++i) {
+    const std::uint8_t* from = original.ptr(std::clamp(top + i, 0, original.rows - 1));
+    std::uint8_t* to = result.ptr(cell.y * scale + i) + cell.x * scale;
+    if (inside && scale == 4) {  // of images 640 wide
+      std::uint32_t four = 0;
+      std::memcpy(&four, from + left, 4);
+      std::memcpy(to, &four, 4);
+      any |= four;
+      continue;
+    }
+    for (int k = 0; k < scale; ++k) {
+      to[k] = from[std::clamp(left + k, 0, original.cols - 1)];
+      any |= to[k];
+    }
+  }
+  return any != 0;
+}
+
+/// Settles the pixels of a row that have a depth: dynamic if it is within [low, high]. Where low is above
+/// high nothing is.
+template <typename T>
+void settle_row(const T* __restrict depths, const T* __restrict low, const T* __restrict high,
+                const std::uint8_t* __restrict anything, int count, std::uint8_t* __restrict mask) {
+  // Without branches, so that the compiler makes vectors of it.
+  for (int x = 0; x < count; ++x) {
+    const int inside = static_cast<int>(depths[x] >= low[x]) & static_cast<int>(depths[x] <= high[x]);
+    const int kept = static_cast<int>(!(depths[x] > 0)) | anything[x];
+    mask[x] = static_cast<std::uint8_t>((mask[x] & -kept) | (-inside & (kept - 1)));
+  }
+}
+
+/// Settles the pixels of a box of cells by their depths. `to_units` makes depths in metres into those of the
+/// image.
+template <typename T, typename ToUnits>
+void settle(const cv::Mat& depth, const cv::Rect& box, const RangeMap& ranges, int scale, float tolerance,
+            const ToUnits& to_units, cv::Mat& result) {
+  const auto count = static_cast<std::size_t>(box.width * scale);
+  std::vector<T> low(count), high(count);
+  std::vector<std::uint8_t> anything(count);
+  for (int y = box.y; y < box.br().y; ++y) {
+    bool moved = false;
+    for (int x = box.x; x < box.br().x; ++x) {
+      const float lowest = ranges.low(x, y), highest = ranges.high(x, y);
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(x - box.x) * scale;
+      moved |= lowest <= highest;
+      // What cannot be known stays as it was brought.
+      std::fill_n(anything.begin() + at, scale, std::isinf(highest - lowest) && lowest <= highest ? 1 : 0);
+      std::fill_n(low.begin() + at, scale, lowest <= highest ? to_units(lowest - tolerance) : T(1));
+      std::fill_n(high.begin() + at, scale, lowest <= highest ? to_units(highest + tolerance) : T(0));
+    }
+    if (!moved) continue;
+    for (int row = y * scale; row < (y + 1) * scale; ++row) {
+      settle_row(depth.ptr<T>(row) + box.x * scale, low.data(), high.data(), anything.data(),
+                 static_cast<int>(count), result.ptr(row) + box.x * scale);
+    }
+  }
+}
+
+}  // namespace
+
+cv::Mat warp_mask(const cv::Mat& original, const std::vector<MaskTile>& tiles, const SmallFrame& frame,
+                  const cv::Mat& depth, const MaskWarp& settings) {
+  cv::Mat result = cv::Mat::zeros(original.size(), CV_8UC1);
+  const TileMap map(tiles, frame);
+  const cv::Rect tiled = map.box();
+  if (tiled.empty()) return result;
+  const int reach =
+      std::max(1, static_cast<int>(std::lround(settings.margin / static_cast<float>(frame.scale))));
+  const cv::Rect box =
+      cv::Rect(tiled.x - reach, tiled.y - reach, tiled.width + 2 * reach, tiled.height + 2 * reach) &
+      cv::Rect(0, 0, frame.width(), frame.height());
+  RangeMap ranges(box, reach);
+  for (int y = tiled.y; y < tiled.br().y; ++y) {
+    for (int x = tiled.x; x < tiled.br().x; ++x) {
+      const MaskTile* tile = map.at(x, y);
+      if (tile != nullptr && copy_cell(original, *tile, {x, y}, frame.scale, result)) {
+        ranges.note(x, y, tile->depth);
+      }
+    }
+  }
+  ranges.spread();
+  if (depth.type() == CV_32FC1) {
+    const auto metres = [](float value) { return value; };
+    settle<float>(depth, box, ranges, frame.scale, settings.depth_tolerance, metres, result);
+  } else {
+    const auto units = [per_metre = 1 / settings.metres_per_unit](float metres) {
+      return static_cast<std::uint16_t>(std::clamp(metres * per_metre, 0.0F, 65535.0F));
+    };
+    settle<std::uint16_t>(depth, box, ranges, frame.scale, settings.depth_tolerance, units, result);
+  }
+  return result;
+}
+
+}  // namespace stdc

@@ -1,0 +1,31 @@
+#include "slam/make_segmenter.hpp"
+
+#include <utility>
+
+#include "segmentation/mask_file_segmenter.hpp"
+#include "segmentation/weights_segmenter.hpp"
+
+namespace stdc {
+namespace {
+
+std::unique_ptr<Segmenter> make_source(const Settings& settings, const SegmenterFiles& files) {
+  switch (settings.segmentation.source) {
+    case SegmentationSource::masks:
+      return std::make_unique<MaskFileSegmenter>(files.masks);
+    case SegmentationSource::network:
+      return make_weights_segmenter(files.weights, settings.network);
+    case SegmentationSource::off:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Segmenter> make_segmenter(const Settings& settings, const SegmenterFiles& files) {
+  std::unique_ptr<Segmenter> segmenter = make_source(settings, files);
+  if (!segmenter || !settings.mask_degradation.any()) return segmenter;
+  return std::make_unique<DegradedSegmenter>(std::move(segmenter), settings.mask_degradation);
+}
+
+}  // namespace stdc

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "segmentation/segmenter.hpp"
+#include "slam/settings.hpp"
+
+namespace stdc {
+
+/// Where the segmenters find what they need.
+struct SegmenterFiles {
+  std::filesystem::path weights;  ///< of the network, .safetensors or .onnx; empty: those that ship
+  std::filesystem::path masks;    ///< folder of mask images
+};
+
+/// The segmenter that the settings ask for; null if segmentation is off. Throws Error if weights or masks are
+/// missing or wrong.
+std::unique_ptr<Segmenter> make_segmenter(const Settings& settings, const SegmenterFiles& files);
+
+}  // namespace stdc
