@@ -40,6 +40,14 @@ bool more_shared(const Covisible& a, const Covisible& b) {
 
 }  // namespace
 
+Map::Map(std::vector<Keyframe> keyframes, std::vector<Landmark> landmarks)
+    : removed_(keyframes.size()),
+      keyframe_count_(static_cast<int>(keyframes.size())),
+      landmark_count_(static_cast<int>(landmarks.size())) {
+  for (Keyframe& keyframe : keyframes) keyframes_.push_back(std::make_unique<Keyframe>(std::move(keyframe)));
+  for (Landmark& landmark : landmarks) landmarks_.push_back(std::make_unique<Landmark>(std::move(landmark)));
+}
+
 KeyframeId Map::add_keyframe(const NewKeyframe& made_of) {
   auto keyframe = std::make_unique<Keyframe>();
   keyframe->id = {static_cast<std::uint32_t>(keyframes_.size())};

@@ -27,6 +27,11 @@ struct NewKeyframe {
 /// is found to be gone (`has`), and its memory is freed.
 class Map {
  public:
+  Map() = default;
+  /// A map of what another one held. Ids are positions in the lists, and both sides of every observation
+  /// agree.
+  Map(std::vector<Keyframe> keyframes, std::vector<Landmark> landmarks);
+
   KeyframeId add_keyframe(const NewKeyframe& made_of);
   void set_measurement(KeyframeId id, int keypoint, const Measurement& measurement) {
     keyframes_[id.value]->measurements[keypoint] = measurement;

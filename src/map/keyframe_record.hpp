@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "core/camera.hpp"
+#include "map/keyframe.hpp"
+#include "map/record_stream.hpp"
+
+namespace stdc {
+
+/// New numbers of keyframes and landmarks, by old id; Id::kNone: not written.
+struct NewIds {
+  std::vector<std::uint32_t> keyframes, landmarks;
+};
+
+void put_pose(RecordWriter& out, const Pose& pose);
+Pose get_pose(RecordReader& in);
+
+/// A keyframe with its features, all but its id, which is its place in the file.
+void put_keyframe(RecordWriter& out, const Keyframe& keyframe, const NewIds& ids);
+/// @param id  that it gets; ids of other keyframes and of landmarks are not checked against the whole
+Keyframe get_keyframe(RecordReader& in, const Camera& camera, KeyframeId id);
+
+}  // namespace stdc
