@@ -1,11 +1,16 @@
-// fuzz_seeds FOLDER: writes small valid images for the image fuzzers to start from.
+// fuzz_seeds FOLDER: writes small valid images and maps for the fuzzers to start from.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/image_codec.hpp"
 #include "core/random.hpp"
+#include "map/map_file.hpp"
 
 namespace {
 
@@ -25,6 +30,31 @@ cv::Mat picture(int type) {
 void write(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// Two keyframes that see the same three landmarks, with or without patches.
+std::string small_map(bool patches) {
+  const stdc::Camera camera{.width = 40, .height = 24};
+  stdc::StoredFeatures stored;
+  stored.keypoints.resize(4);
+  stored.descriptors.resize(4);
+  stored.pixels = {{3, 4}, {10, 12}, {30, 5}, {38, 20}};
+  stored.depths = {1, 2, 0, 3};
+  if (patches) stored.patches.resize(4);
+  const auto features = std::make_shared<const stdc::FrameFeatures>(camera, std::move(stored));
+  stdc::Map map;
+  for (int frame = 0; frame < 2; ++frame) {
+    const stdc::KeyframeId id = map.add_keyframe({frame, 0.1 * frame, stdc::Pose(), stdc::CameraMotion(),
+                                                  features, stdc::measure_keypoints(camera, {}, *features)});
+    for (int i = 0; i < 3; ++i) {
+      if (frame == 0) map.add_landmark({0.1 * i, 0, 2}, id);
+      map.observe(id, i, {static_cast<std::uint32_t>(i)});
+    }
+    map.update_covisibility(id);
+  }
+  std::ostringstream stream;
+  stdc::write_map(stream, camera, map);
+  return stream.str();
 }
 
 }  // namespace
@@ -53,6 +83,11 @@ int main(int argc, char** argv) {
       for (int i = 0; i < 40 * pixel_bytes; ++i) rows.push_back(static_cast<std::uint8_t>(i * y));
     }
     write(folder / target, rows);
+  }
+  std::filesystem::create_directories(folder / "map_file");
+  for (const bool patches : {false, true}) {
+    const std::string bytes = small_map(patches);
+    write(folder / "map_file" / (patches ? "patches.map" : "plain.map"), {bytes.begin(), bytes.end()});
   }
   return 0;
 }

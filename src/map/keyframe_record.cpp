@@ -51,8 +51,8 @@ Keypoint get_keypoint(RecordReader& in, int levels) {
 std::shared_ptr<const FrameFeatures> get_features(RecordReader& in, const Camera& camera) {
   constexpr std::size_t kLeastBytes = 4 * 4 + 2 + 8 + 4 + 32;
   StoredFeatures stored;
-  stored.scale_factor = in.get_number<double>(1.001, 10);
-  stored.levels = static_cast<int>(in.get_number<std::uint32_t>(1, 64));
+  stored.scale_factor = in.get_number<double>(1.001, 4);
+  stored.levels = static_cast<int>(in.get_number<std::uint32_t>(1, 16));
   const bool has_patches = in.get_number<std::uint8_t>(0, 1) != 0;
   const std::size_t count = in.get_count(kLeastBytes);
   stored.keypoints.reserve(count);

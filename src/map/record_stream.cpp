@@ -35,8 +35,7 @@ void RecordWriter::finish(std::ostream& stream, std::string_view tag) {
   bytes_.clear();
 }
 
-void RecordReader::check(bool good, const char* problem) const {
-  if (good) return;
+void RecordReader::fail(const char* problem) const {
   throw Error(name_, fmt::format("is damaged ({})", problem), "use a copy of it, or make the map again");
 }
 
@@ -61,12 +60,6 @@ void RecordReader::next() {
     size_ += piece;
   }
   check(check_sum(bytes_.data(), size_) == head.sum, "a check sum is wrong");
-}
-
-void RecordReader::get_bytes(void* data, std::size_t size) {
-  check(size <= size_ - used_, "a record is too short");
-  if (size > 0) std::memcpy(data, bytes_.data() + used_, size);
-  used_ += size;
 }
 
 std::size_t RecordReader::get_count(std::size_t bytes_each) {

@@ -51,7 +51,11 @@ class RecordReader {
     get_bytes(&value, sizeof(T));
     return value;
   }
-  void get_bytes(void* data, std::size_t size);
+  void get_bytes(void* data, std::size_t size) {
+    check(size <= size_ - used_, "a record is too short");
+    if (size > 0) std::memcpy(data, bytes_.data() + used_, size);
+    used_ += size;
+  }
   /// How many things follow, each of at least `bytes_each`; throws Error if the record is too short for them.
   std::size_t get_count(std::size_t bytes_each);
   /// A number that must be finite and within a range; throws Error if it is not.
@@ -63,11 +67,15 @@ class RecordReader {
   }
 
   /// Throws Error saying that the file is damaged unless `good`.
-  void check(bool good, const char* problem) const;
+  void check(bool good, const char* problem) const {
+    if (!good) fail(problem);
+  }
   /// Reads `size` bytes outside of records. False if there are fewer.
   bool read_plain(void* data, std::size_t size);
 
  private:
+  [[noreturn]] void fail(const char* problem) const;
+
   std::istream& stream_;
   std::string name_, tag_;
   std::vector<char> bytes_;
