@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "segmentation/propagation_tiles.hpp"
 #include "segmentation/propagation_warp.hpp"
 
 namespace stdc {
@@ -19,29 +19,6 @@ void check_image(const cv::Mat& image, const Camera& camera, const char* name, b
   throw Error(
       name, fmt::format("is {} x {} pixels of type {}", image.cols, image.rows, image.type()),
       fmt::format("give an image of the camera's size, {} x {}, as documented", camera.width, camera.height));
-}
-
-/// A depth that a quarter of the dynamic pixels of a square do not reach: the body's rather than that of what
-/// the mask's rim may show behind it. 0 if none is known; -1 if there are no dynamic pixels.
-float depth_of_square(const cv::Mat& mask, const SmallFrame& frame, int x, int y) {
-  std::array<float, MaskTile::kSide * MaskTile::kSide> depths;
-  int count = 0;
-  bool any = false;
-  for (int row = y; row < std::min(y + MaskTile::kSide, frame.height()); ++row) {
-    for (int column = x; column < std::min(x + MaskTile::kSide, frame.width()); ++column) {
-      bool dynamic = false;
-      for (int i = 0; i < frame.scale && !dynamic; ++i) {
-        const std::uint8_t* from = mask.ptr(row * frame.scale + i) + column * frame.scale;
-        dynamic = std::any_of(from, from + frame.scale, [](std::uint8_t v) { return v != 0; });
-      }
-      any |= dynamic;
-      const float depth = frame.depth_at(column, row);
-      if (dynamic && depth != 0) depths[count++] = depth;
-    }
-  }
-  if (count == 0) return any ? 0.0F : -1.0F;
-  std::nth_element(depths.data(), depths.data() + count / 4, depths.data() + count);
-  return depths[count / 4];
 }
 
 }  // namespace
@@ -81,24 +58,9 @@ bool MaskPropagator::set_mask(int frame, const cv::Mat& mask) {
   if (step == steps_.end() || frame < mask_frame_) return false;
   original_ = mask != 0;
   mask_frame_ = frame;
-  make_tiles(step->frame);
+  tiles_ = make_tiles(original_, step->frame);
   for (auto next = step + 1; next != steps_.end(); ++next) advance((next - 1)->frame, *next);
   return true;
-}
-
-void MaskPropagator::make_tiles(const SmallFrame& frame) {
-  tiles_.clear();
-  for (int y = 0; y < frame.height(); y += MaskTile::kSide) {
-    for (int x = 0; x < frame.width(); x += MaskTile::kSide) {
-      const float depth = depth_of_square(original_, frame, x, y);
-      if (depth < 0) continue;
-      MaskTile tile;
-      tile.x = x;
-      tile.y = y;
-      tile.depth = depth;
-      tiles_.push_back(tile);
-    }
-  }
 }
 
 void MaskPropagator::advance(const SmallFrame& from, Step& to) {

@@ -10,6 +10,7 @@
 #include "core/setting.hpp"
 #include "segmentation/propagation_frame.hpp"
 #include "segmentation/propagation_motion.hpp"
+#include "segmentation/propagation_tiles.hpp"
 
 namespace stdc {
 
@@ -77,7 +78,6 @@ class MaskPropagator {
     MotionField motion;                   ///< from the frame before to this
     std::optional<Pose> frame_from_last;  ///< of the camera
   };
-  void make_tiles(const SmallFrame& frame);
   void advance(const SmallFrame& from, Step& to);
   void carry(MaskTile& tile, const Step& to) const;
 

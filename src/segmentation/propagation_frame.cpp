@@ -90,11 +90,18 @@ float metres_at(const cv::Mat& depth, int x, int y, float metres_per_unit) {
   return metres > 0 && std::isfinite(metres) ? metres : 0;
 }
 
-void shrink_frame(const cv::Mat& grey, const cv::Mat& depth, double units_per_metre, SmallFrame& small) {
-  small.scale = cell_size(grey.cols);
-  shrink_grey(grey, small.scale, small.levels[0]);
-  for (int i = 1; i < SmallFrame::kLevels; ++i) halve(small.levels[i - 1], small.levels[i]);
+void shrink_depth(const cv::Mat& depth, double units_per_metre, SmallFrame& small) {
+  small.scale = cell_size(depth.cols);
+  small.levels[0].resize(depth.cols / small.scale, depth.rows / small.scale);
   sample_depth(depth, static_cast<float>(1 / units_per_metre), small);
+}
+
+void shrink_frame(const cv::Mat& grey, const cv::Mat& depth, double units_per_metre, SmallFrame& small) {
+  shrink_depth(depth, units_per_metre, small);
+  shrink_grey(grey, small.scale, small.levels[0]);
+  for (int i = 1; i < SmallFrame::kLevels; ++i) {
+    halve(small.levels[static_cast<std::size_t>(i - 1)], small.levels[static_cast<std::size_t>(i)]);
+  }
 }
 
 }  // namespace stdc

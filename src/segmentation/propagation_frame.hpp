@@ -52,6 +52,9 @@ int cell_size(int frame_width);
 /// same size. Memory of `small` is used again.
 void shrink_frame(const cv::Mat& grey, const cv::Mat& depth, double units_per_metre, SmallFrame& small);
 
+/// The depth only; the picture has its size, but its pixels mean nothing.
+void shrink_depth(const cv::Mat& depth, double units_per_metre, SmallFrame& small);
+
 /// Depth of a pixel in metres; 0 if it is missing.
 float metres_at(const cv::Mat& depth, int x, int y, float metres_per_unit);
 

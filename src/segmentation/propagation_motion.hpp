@@ -4,24 +4,9 @@
 #include <vector>
 
 #include "segmentation/propagation_frame.hpp"
+#include "segmentation/propagation_tiles.hpp"
 
 namespace stdc {
-
-/// A square of 2 x 2 cells of a mask, on its way through the frames.
-struct MaskTile {
-  static constexpr int kSide = 2;  ///< [cells]
-
-  int x = 0, y = 0;                                    ///< its first cell in the frame of the mask
-  Eigen::Vector2f shift = Eigen::Vector2f::Zero();     ///< to where it is now [cells]
-  Eigen::Vector2f velocity = Eigen::Vector2f::Zero();  ///< [cells per frame]
-  float depth = 0;                                     ///< expected [m]; 0: not known
-
-  /// Its middle now [cells].
-  Eigen::Vector2f middle() const {
-    return Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y)) +
-           Eigen::Vector2f::Constant(0.5F * (kSide - 1)) + shift;
-  }
-};
 
 /// How things moved from one frame to the next, known at points that were followed. It grows where tiles ask
 /// for it, and serves all masks that pass between the two frames.
