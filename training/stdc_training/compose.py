@@ -10,14 +10,15 @@ from .views import affine, log_uniform, warp
 CAMERA_SHARE = 0.74
 
 
-def compose(rng, frame, cutouts, size):
+def compose(rng, frame, cutouts, size, heights=(0.3, 2.6)):
     """Paste each cutout (entry, packed image) onto the RGB frame; return (image, label).
 
-    Small, that is distant, people first, so that near ones hide them. frame is changed.
+    Small, that is distant, people first, so that near ones hide them. Their heights
+    are within `heights` of the frame's.
     """
     label = np.zeros(frame.shape[:2], np.uint8)
     horizon = rng.uniform(0.3, 0.65)
-    heights = np.sort([log_uniform(rng, 0.3, 2.6) for _ in cutouts])
+    heights = np.sort([log_uniform(rng, *heights) for _ in cutouts])
     for (entry, image), height in zip(cutouts, heights):
         frame, label = paste(rng, frame, label, entry, image, (height, horizon), size)
     return frame, label

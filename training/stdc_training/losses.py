@@ -9,6 +9,13 @@ from .detail import detail_loss
 from .network import upsampled
 
 IGNORE = 255
+HEADS = ("main", "context8", "context16")
+
+
+def plain_cross_entropy(logits, labels):
+    """Mean cross-entropy over the known pixels."""
+    known = (labels != IGNORE).sum().clamp(min=1)
+    return functional.cross_entropy(logits, labels, ignore_index=IGNORE, reduction="sum") / known
 
 
 def hard_cross_entropy(logits, labels, threshold=0.7, least_share=1 / 16):
@@ -28,13 +35,25 @@ def hard_cross_entropy(logits, labels, threshold=0.7, least_share=1 / 16):
     return hard.mean()
 
 
-def total_loss(outputs, labels, detail_target):
-    """Sum of the losses of StdcSeg.forward_training and its parts by name."""
+def region_loss(logits, labels):
+    """Dice of class 1 over the whole batch: it works on the overlap that IoU scores."""
+    known = (labels != IGNORE).float()
+    found = torch.softmax(logits, 1)[:, 1] * known
+    person = (labels == 1).float() * known
+    return 1 - (2 * (found * person).sum() + 1) / (found.sum() + person.sum() + 1)
+
+
+def total_loss(outputs, labels, detail_target, hard=True):
+    """Sum of the losses of StdcSeg.forward_training and its parts by name.
+
+    Without `hard` the cross-entropy is over all pixels: from random weights nearly every pixel is
+    hard and many labels near edges are doubtful, and mining those slows the start of a training.
+    """
     size = labels.shape[1:]
-    parts = {
-        name: hard_cross_entropy(upsampled(outputs[name].float(), size), labels)
-        for name in ("main", "context8", "context16")
-    }
+    entropy = hard_cross_entropy if hard else plain_cross_entropy
+    full = {name: upsampled(outputs[name].float(), size) for name in HEADS}
+    parts = {name: entropy(logits, labels) for name, logits in full.items()}
+    parts["region"] = region_loss(full["main"], labels)
     known = (labels != IGNORE).float().unsqueeze(1)
     parts["detail"] = detail_loss(
         upsampled(outputs["detail"].float(), size), detail_target(labels), known

@@ -26,12 +26,17 @@ LEAST_CUTOUT_HEIGHT = 0.35
 
 
 class Samples(torch.utils.data.Dataset):
-    """Sample i: (uint8 RGB [h, w, 3], uint8 label [h, w]) at size (width, height)."""
+    """Sample i: (uint8 RGB [h, w, 3], uint8 label [h, w]) at size (width, height).
 
-    def __init__(self, folder, size, count, seed=0, rendered=None):
+    strength: of the changes of colour and sharpness, 0..1; heights: of people, in frame heights.
+    """
+
+    def __init__(self, folder, size, count, seed=0, rendered=None, strength=1.0,
+                 heights=(0.35, 3.0)):
         self._packed = people.Packed(folder, "train")
         self._frames = people.Packed(folder, rendered) if rendered else None
         self._size, self._count, self._seed = size, count, seed
+        self._strength, self._heights = strength, heights
         self._shares = SHARES_WITH_RENDERED if rendered else SHARES
         self._kinds, self._cutouts, self._scenes = {}, {}, {}
         for i, entry in enumerate(self._packed.index):
@@ -53,7 +58,8 @@ class Samples(torch.utils.data.Dataset):
         rng = np.random.default_rng([self._seed, i])
         kind = rng.choice(list(self._shares), p=list(self._shares.values()))
         image, label = getattr(self, f"_{kind}")(rng)
-        return torch.from_numpy(distort(rng, image)), torch.from_numpy(np.ascontiguousarray(label))
+        image = distort(rng, image, self._strength)
+        return torch.from_numpy(image), torch.from_numpy(np.ascontiguousarray(label))
 
     def _pick(self, rng, groups, shares):
         kind = rng.choice(list(shares), p=list(shares.values()))
@@ -63,8 +69,12 @@ class Samples(torch.utils.data.Dataset):
         i = self._pick(rng, self._kinds, PHOTO_SHARES)
         entry = self._packed.index[i]
         by_person = entry["box"] is not None and rng.random() < 0.75
-        view = (person_view if by_person else scene_view)(rng, entry, self._size)
-        return warp(self._packed[i], view, self._size)
+        return warp(self._packed[i], self._view(rng, entry, by_person), self._size)
+
+    def _view(self, rng, entry, by_person):
+        if by_person:
+            return person_view(rng, entry, self._size, self._heights)
+        return scene_view(rng, entry, self._size)
 
     def _room(self, rng):
         scene = str(rng.choice(list(self._scenes)))  # each scene alike, however many its frames
@@ -79,7 +89,7 @@ class Samples(torch.utils.data.Dataset):
         count = rng.choice([1, 2, 3], p=[0.6, 0.28, 0.12])
         picks = [self._pick(rng, self._cutouts, CUTOUT_SHARES) for _ in range(count)]
         cutouts = [(self._packed.index[i], self._packed[i]) for i in picks]
-        image, label = compose(rng, frame, cutouts, self._size)
+        image, label = compose(rng, frame, cutouts, self._size, self._heights)
         if rng.random() < 0.25:
             image, label = hide(rng, image, label, self._room(rng)[0])
         return image, label
@@ -88,5 +98,4 @@ class Samples(torch.utils.data.Dataset):
         i = int(rng.integers(len(self._frames)))
         entry = self._frames.index[i]
         by_person = entry["box"] is not None and rng.random() < 0.5
-        view = (person_view if by_person else scene_view)(rng, entry, self._size)
-        return warp(self._frames[i], view, self._size)
+        return warp(self._frames[i], self._view(rng, entry, by_person), self._size)

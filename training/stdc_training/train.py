@@ -42,6 +42,12 @@ def parse(arguments=None):
     parser.add_argument("--decay", type=float, default=0.02, help="weight decay")
     parser.add_argument("--warmup", type=int, default=300, help="steps")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--hard-after", type=int, default=0, metavar="IMAGES",
+                        help="mine hard pixels only when so many images were seen")
+    parser.add_argument("--strength", type=float, default=1.0,
+                        help="of changes of colour and sharpness, 0..1")
+    parser.add_argument("--heights", type=float, nargs=2, default=(0.35, 3.0),
+                        metavar=("LOW", "HIGH"), help="of people, in frame heights")
     parser.add_argument("--rendered", help="name of a packed set of rendered frames in DATA")
     parser.add_argument("--loaders", type=int, default=1, help="processes that make samples")
     parser.add_argument("--threads", type=int, default=1)
@@ -87,7 +93,8 @@ class Trainer:
         labels = labels.to(self.device, non_blocking=True).long()
         with torch.autocast(self.device.type, enabled=self.device.type == "cuda"):
             outputs = self.network.forward_training(pixels)
-        loss, parts = total_loss(outputs, labels, self.detail)
+        loss, parts = total_loss(outputs, labels, self.detail,
+                                 self.images >= self.options.hard_after)
         self.optimiser.zero_grad(set_to_none=True)
         self.scaler.scale(loss).backward()
         self.scaler.step(self.optimiser)
@@ -188,7 +195,7 @@ def progress(trainer, losses, begun, seen):
 def batches(options, start):
     """Batches of samples from number `start` to the end of the schedule."""
     samples = Samples(options.data, (options.width, options.height), options.images,
-                      options.seed, options.rendered)
+                      options.seed, options.rendered, options.strength, options.heights)
     return torch.utils.data.DataLoader(
         samples, options.batch, sampler=range(start, options.images), drop_last=True,
         num_workers=options.loaders, pin_memory=torch.cuda.is_available())

@@ -59,10 +59,10 @@ def _limited_height(wanted, shape, size):
     return float(np.clip(wanted, size[1] / LARGEST_ENLARGEMENT, max(widest, 16)))
 
 
-def person_view(rng, entry, size):
-    """A view by the person's size in it: from a third of the frame to far larger than it."""
+def person_view(rng, entry, size, heights=(0.35, 3.0)):
+    """A view by the person's height in it, which is within `heights` of the frame's."""
     x0, y0, x1, y1 = entry["box"]
-    wanted = (y1 - y0) / log_uniform(rng, 0.35, 3.0)
+    wanted = (y1 - y0) / log_uniform(rng, *heights)
     source_height = _limited_height(wanted, entry["shape"], size)
     centre = (x0 + (x1 - x0) * rng.uniform(-0.1, 1.1), y0 + (y1 - y0) * rng.beta(1.5, 2.0))
     centre = _kept_inside(centre, source_height, entry["shape"], size, 0.15)

@@ -24,7 +24,7 @@ class TrainTest(unittest.TestCase):
         return train.parse([str(self.folder / "packed"), str(self.folder / run), "--divisor", "8",
                             "--head", "8", "--width", "64", "--height", "32", "--batch", "8",
                             "--warmup", "5", "--rate", "5e-3", "--images", str(images),
-                            "--loaders", "0"])
+                            "--loaders", "0", "--hard-after", "1000"])
 
     @staticmethod
     def run_steps(trainer, count):
