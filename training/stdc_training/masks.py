@@ -20,8 +20,8 @@ from .network import upsampled
 def dynamic_mask(network, metadata, picture):
     """uint8 mask [h, w] of an RGB picture, by way of the file's default size of inference."""
     size = int(metadata["input_width"]), int(metadata["input_height"])
-    shrinks = size[0] < picture.shape[1]
-    pixels = cv2.resize(picture, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_LINEAR)
+    mode = cv2.INTER_AREA if size[0] < picture.shape[1] else cv2.INTER_LINEAR
+    pixels = cv2.resize(picture, size, interpolation=mode)
     with torch.no_grad():
         logits = network(weights.normalised(torch.from_numpy(pixels)[None]))
         classes = upsampled(logits, (size[1], size[0])).argmax(1)[0].numpy()
@@ -49,7 +49,8 @@ def main():
         cv2.imwrite(str(Path(options.output) / f"{path.stem}.png"), mask)
         text = f"{path.name}: {(mask > 0).mean():.2%} dynamic"
         if options.compare:
-            other = cv2.imread(str(Path(options.compare) / f"{path.stem}.png"), cv2.IMREAD_GRAYSCALE)
+            other = Path(options.compare) / f"{path.stem}.png"
+            other = cv2.imread(str(other), cv2.IMREAD_GRAYSCALE)
             text += f", {((other > 127) != (mask > 0)).mean():.4%} differ"
         print(text)
 

@@ -75,7 +75,8 @@ class StdcSeg(nn.Module):
     on stage 3 (the paper, sec. 3.3).
     """
 
-    def __init__(self, architecture="STDC1-Seg", classes=2, divisor=1, head=64, training_heads=True):
+    def __init__(self, architecture="STDC1-Seg", classes=2, divisor=1, head=64,
+                 training_heads=True):
         super().__init__()
         if architecture not in MODULES:
             raise ValueError(f"unknown architecture {architecture!r}: use one of {sorted(MODULES)}")

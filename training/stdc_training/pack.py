@@ -9,7 +9,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("people", help="folder with the kinds of photos (ccp_masked, ...)")
     parser.add_argument("folder", help="where the packed files go")
-    parser.add_argument("--long-side", type=int, default=320, help="pixels; images are shrunk to it")
+    parser.add_argument("--long-side", type=int, default=320, help="larger images are shrunk to it")
     parser.add_argument("--only", choices=("train", "validation"), help="pack one set only")
     parser.add_argument("--choose-validation", action="store_true",
                         help="write validation.txt anew instead of reading it")

@@ -52,5 +52,6 @@ def blur(rng, image):
         return cv2.filter2D(image, -1, kernel / kernel.sum())
     height, width = image.shape[:2]
     scale = rng.uniform(0.4, 0.9)
-    small = cv2.resize(image, (int(width * scale), int(height * scale)), interpolation=cv2.INTER_AREA)
+    size = int(width * scale), int(height * scale)
+    small = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
     return cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import torch
 
-from stdc_training import export, train
+from stdc_training import export, quick_check, train
 from stdc_training.ema import Average
 
 from .made_up import write_packed
@@ -57,7 +57,8 @@ class TrainTest(unittest.TestCase):
     def test_scores_and_export(self):
         trainer = train.Trainer(self.options("scores"))
         trainer.best = -2.0
-        scores = train.evaluate(trainer, train.validation_subset(self.folder / "packed", (64, 64)))
+        sets = quick_check.validation_subset(self.folder / "packed", (64, 64))
+        scores = train.evaluate(trainer, sets)
         self.assertEqual(set(scores), {"photos", "hard", "composed", "empty", "total"})
         network, state = export.from_checkpoint(self.folder / "scores" / "best.pt")
         self.assertEqual(state["images"], 0)
