@@ -10,12 +10,13 @@ namespace stdc {
 
 /// A square of 2 x 2 cells of a mask, on its way through the frames.
 struct MaskTile {
-  static constexpr int kSide = 2;  ///< [cells]
+  static constexpr int kSide = 2;       ///< [cells]
+  static constexpr float kUnknown = 0;  ///< depth that is not known
 
   int x = 0, y = 0;                                    ///< its first cell in the frame of the mask
   Eigen::Vector2f shift = Eigen::Vector2f::Zero();     ///< to where it is now [cells]
   Eigen::Vector2f velocity = Eigen::Vector2f::Zero();  ///< [cells per frame]
-  float depth = 0;                                     ///< expected [m]; 0: not known
+  float depth = kUnknown;                              ///< expected [m]
 
   /// Its middle now [cells].
   Eigen::Vector2f middle() const {

@@ -5,107 +5,10 @@
 #include <cstring>
 #include <limits>
 
+#include "segmentation/propagation_tile_map.hpp"
+
 namespace stdc {
 namespace {
-
-using Eigen::Vector2f;
-
-constexpr float kUnknown = 0;
-
-/// Which tile each cell of the frame shows.
-class TileMap {
- public:
-  TileMap(const std::vector<MaskTile>& tiles, const SmallFrame& frame)
-      : tiles_(tiles),
-        width_(frame.width()),
-        height_(frame.height()),
-        owner_(static_cast<std::size_t>(width_ * height_), -1),
-        distance_(owner_.size(), 0) {
-    for (int i = 0; i < static_cast<int>(tiles_.size()); ++i) place(i);
-    close_gaps();
-    close_gaps();
-  }
-  /// nullptr where there is none.
-  const MaskTile* at(int x, int y) const {
-    const int owner = owner_[index(x, y)];
-    return owner < 0 ? nullptr : &tiles_[static_cast<std::size_t>(owner)];
-  }
-  /// All cells that have a tile are in there.
-  const cv::Rect& box() const { return box_; }
-
- private:
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
-
-  /// Places a tile and, if it has left an edge of the image behind, copies of it from there on.
-  void place(int i) {
-    const MaskTile& tile = tiles_[static_cast<std::size_t>(i)];
-    const auto extra = [](float gap) {
-      constexpr float kMost = 24;  // [cells]
-      return static_cast<int>(std::ceil(std::clamp(gap, 0.0F, kMost) / MaskTile::kSide));
-    };
-    const int left = tile.x == 0 ? extra(tile.shift.x()) : 0, top = tile.y == 0 ? extra(tile.shift.y()) : 0;
-    const int right = tile.x + MaskTile::kSide >= width_ ? extra(-tile.shift.x()) : 0;
-    const int bottom = tile.y + MaskTile::kSide >= height_ ? extra(-tile.shift.y()) : 0;
-    for (int y = -top; y <= bottom; ++y) {
-      for (int x = -left; x <= right; ++x) {
-        const Vector2f offset(static_cast<float>(x * MaskTile::kSide),
-                              static_cast<float>(y * MaskTile::kSide));
-        claim(i, tile.middle() + offset);
-      }
-    }
-  }
-
-  /// The cells around a middle: nearer depth wins, then the nearer middle.
-  void claim(int i, const Vector2f& middle) {
-    constexpr float kReach = 0.5F * MaskTile::kSide, kBefore = 0.3F;  // [cells], [m]
-    const int left = std::max(static_cast<int>(std::ceil(middle.x() - kReach)), 0);
-    const int top = std::max(static_cast<int>(std::ceil(middle.y() - kReach)), 0);
-    const int right = std::min(static_cast<int>(std::floor(middle.x() + kReach)), width_ - 1);
-    const int bottom = std::min(static_cast<int>(std::floor(middle.y() + kReach)), height_ - 1);
-    if (left > right || top > bottom) return;
-    box_ |= cv::Rect(cv::Point(left, top), cv::Point(right + 1, bottom + 1));
-    const float depth = tiles_[static_cast<std::size_t>(i)].depth;
-    for (int y = top; y <= bottom; ++y) {
-      for (int x = left; x <= right; ++x) {
-        const std::size_t cell = index(x, y);
-        const float distance =
-            (middle - Vector2f(static_cast<float>(x), static_cast<float>(y))).squaredNorm();
-        if (owner_[cell] >= 0) {
-          const float other = tiles_[static_cast<std::size_t>(owner_[cell])].depth;
-          const bool known = depth != kUnknown && other != kUnknown;
-          if (known && depth > other + kBefore) continue;
-          const bool before = known && depth < other - kBefore;
-          if (!before && distance >= distance_[cell]) continue;
-        }
-        owner_[cell] = i;
-        distance_[cell] = distance;
-      }
-    }
-  }
-
-  /// Cells without a tile take that of a neighbour.
-  void close_gaps() {
-    const std::vector<int> before = owner_;
-    constexpr int kNeighbours[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
-    box_ =
-        cv::Rect(box_.x - 1, box_.y - 1, box_.width + 2, box_.height + 2) & cv::Rect(0, 0, width_, height_);
-    for (int y = box_.y; y < box_.br().y; ++y) {
-      for (int x = box_.x; x < box_.br().x; ++x) {
-        int& owner = owner_[index(x, y)];
-        for (int i = 0; owner < 0 && i < 4; ++i) {
-          const int u = x + kNeighbours[i][0], v = y + kNeighbours[i][1];
-          if (u >= 0 && v >= 0 && u < width_ && v < height_) owner = before[index(u, v)];
-        }
-      }
-    }
-  }
-
-  const std::vector<MaskTile>& tiles_;
-  int width_, height_;
-  cv::Rect box_;  ///< of the cells that have an owner
-  std::vector<int> owner_;
-  std::vector<float> distance_;
-};
 
 /// The depths expected in each cell of a box and around it, row by row with room for `reach` on either side.
 class RangeMap {
@@ -117,11 +20,11 @@ class RangeMap {
         low_(static_cast<std::size_t>(stride_ * (box.height + 2 * reach)), kInfinity),
         high_(low_.size(), -kInfinity) {}
 
-  /// A cell with moved pixels, whose depth is expected to be `depth`; kUnknown: could be anything.
+  /// A cell with moved pixels, whose depth is expected to be `depth`; MaskTile::kUnknown: could be anything.
   void note(int x, int y, float depth) {
     const std::size_t i = index(x, y);
-    low_[i] = depth == kUnknown ? -kInfinity : depth;
-    high_[i] = depth == kUnknown ? kInfinity : depth;
+    low_[i] = depth == MaskTile::kUnknown ? -kInfinity : depth;
+    high_[i] = depth == MaskTile::kUnknown ? kInfinity : depth;
   }
   /// Spreads the ranges to the cells up to `reach` away.
   void spread() {

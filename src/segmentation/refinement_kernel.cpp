@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <vector>
+
+#include "segmentation/refinement_rows.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "segmentation/refinement_kernel.cpp"
@@ -10,102 +11,18 @@
 //
 #include <hwy/highway.h>
 
+#include "segmentation/refinement_lanes.inl"
+
 // A pixel joins if any claimant (dynamic, with depth) in its window is within tau of its depth. Most pixels
 // are settled by the largest and the smallest depth among the claimants: within tau of either, it joins; not
 // between the two, it does not. Those come from running maxima along the rows, then down the columns (van
 // Herk 1992). Only where a depth lies between the extremes but near neither are the claimants compared one by
 // one, a vector of pixels at a time.
 
-#ifndef STDC_SEGMENTATION_REFINEMENT_ONCE
-#define STDC_SEGMENTATION_REFINEMENT_ONCE
-namespace stdc {
-namespace {
-
-/// Rows of values with room behind them for the windows and whole vectors.
-template <typename T>
-class RowBuffer {
- public:
-  RowBuffer(int rows, int width)
-      : stride_(static_cast<std::size_t>(width + 64)), values_(static_cast<std::size_t>(rows) * stride_) {}
-  T* row(int i) { return values_.data() + static_cast<std::size_t>(i) * stride_; }
-  std::size_t stride() const { return stride_; }
-
- private:
-  std::size_t stride_;
-  std::vector<T> values_;
-};
-
-/// The rows that one pass over the image keeps. A row of claimants is wider by the radius on either side.
-/// `highest` holds depths so that a running maximum finds the largest, `lowest` so that it finds the
-/// smallest.
-template <typename T>
-struct RefinementRows {
-  RefinementRows(const RefinementTask& task)
-      : window(2 * task.radius + 1),
-        width(task.right - task.left),
-        claimants(window, width + 2 * task.radius),
-        highest(window + 2, width + 2 * task.radius),
-        lowest(window + 2, width + 2 * task.radius),
-        depth(1, width),
-        mask(1, width),
-        columns(1, width) {}
-  int window, width;
-  RowBuffer<T> claimants;        ///< the last `window` rows, in turn; none: the lowest value there is
-  RowBuffer<T> highest, lowest;  ///< a block of `window` rows, then the running row, then scratch
-  RowBuffer<T> depth;
-  RowBuffer<std::uint8_t> mask, columns;
-};
-
-}  // namespace
-}  // namespace stdc
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace stdc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Depths of 16 bits: 0 is missing and also "no claimant"; the smallest depth is the largest negative one.
-struct Units {
-  using T = std::uint16_t;
-  using D = hn::ScalableTag<T>;
-  using V = hn::Vec<D>;
-  using M = hn::Mask<D>;
-  static T none() { return 0; }
-  static HWY_INLINE V mirrored(V v) { return hn::Sub(hn::Zero(D()), v); }
-  static HWY_INLINE M present(V v) { return hn::Ne(v, hn::Zero(D())); }
-  static HWY_INLINE M at_most(V a, V b) { return hn::Eq(hn::SaturatedSub(a, b), hn::Zero(D())); }
-  static HWY_INLINE V distance(V a, V b) { return hn::Sub(hn::Max(a, b), hn::Min(a, b)); }
-  // `measure` of a claimant is at most `range` if it is within tau; never if there is no claimant.
-  struct Gauge {
-    V from, range;
-    HWY_INLINE Gauge(V depth, V tau) {
-      from = hn::Max(hn::SaturatedSub(depth, tau), hn::Set(D(), 1));
-      range = hn::Sub(hn::SaturatedAdd(depth, tau), from);
-    }
-    HWY_INLINE V measure(V claimant) const { return hn::Sub(claimant, from); }
-  };
-};
-
-// Depths in metres: what is not above 0 or not finite is missing; "no claimant" is minus infinity.
-struct Metres {
-  using T = float;
-  using D = hn::ScalableTag<T>;
-  using V = hn::Vec<D>;
-  using M = hn::Mask<D>;
-  static T none() { return -__builtin_inff(); }
-  static HWY_INLINE V mirrored(V v) { return hn::Neg(v); }
-  static HWY_INLINE M present(V v) {
-    return hn::And(hn::Gt(v, hn::Zero(D())), hn::Lt(v, hn::Set(D(), __builtin_inff())));
-  }
-  static HWY_INLINE M at_most(V a, V b) { return hn::Le(a, b); }
-  static HWY_INLINE V distance(V a, V b) { return hn::Abs(hn::Sub(a, b)); }
-  struct Gauge {
-    V depth, range;
-    HWY_INLINE Gauge(V d, V tau) : depth(d), range(tau) {}
-    HWY_INLINE V measure(V claimant) const { return hn::Abs(hn::Sub(claimant, depth)); }
-  };
-};
 
 template <typename Kind>
 HWY_INLINE hn::Mask<typename Kind::D> load_dynamic(const std::uint8_t* mask) {
