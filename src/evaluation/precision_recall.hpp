@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+namespace stdc {
+
+/// An answer of a search: how sure it is, and whether it is right.
+struct ScoredAnswer {
+  double score = 0;
+  bool right = false;
+};
+
+/// What comes of taking only answers with at least some score.
+struct PrecisionRecallPoint {
+  double score = 0;
+  double precision = 0;  ///< right among those taken
+  double recall = 0;     ///< right and taken, among all that there was to find
+};
+
+struct PrecisionRecall {
+  std::vector<PrecisionRecallPoint> curve;  ///< one point for each score that occurs, falling
+  double average_precision = 0;             ///< area under the curve, by steps
+  /// The most that is found while no answer is wrong, and the score that the best wrong answer has (0: none
+  /// is wrong).
+  double recall_without_error = 0, best_wrong_score = 0;
+};
+
+/// Precision and recall of scored answers over all thresholds (average precision as in information retrieval:
+/// Manning, Raghavan and Schuetze, 'Introduction to Information Retrieval', 2008, ch. 8). Answers with equal
+/// scores are taken together.
+/// @param possible  how many right answers there are to be had; if 0, recalls are 0
+PrecisionRecall precision_recall(std::vector<ScoredAnswer> answers, int possible);
+
+}  // namespace stdc
