@@ -9,6 +9,8 @@ from .detail import detail_loss
 from .network import upsampled
 
 IGNORE = 255
+# Of the dice term beside the cross-entropy; more makes doubtful places count as people.
+REGION_WEIGHT = 0.5
 HEADS = ("main", "context8", "context16")
 
 
@@ -53,7 +55,7 @@ def total_loss(outputs, labels, detail_target, hard=True):
     entropy = hard_cross_entropy if hard else plain_cross_entropy
     full = {name: upsampled(outputs[name].float(), size) for name in HEADS}
     parts = {name: entropy(logits, labels) for name, logits in full.items()}
-    parts["region"] = region_loss(full["main"], labels)
+    parts["region"] = REGION_WEIGHT * region_loss(full["main"], labels)
     known = (labels != IGNORE).float().unsqueeze(1)
     parts["detail"] = detail_loss(
         upsampled(outputs["detail"].float(), size), detail_target(labels), known

@@ -13,9 +13,9 @@ from .compose import compose, hide
 from .photometric import distort
 from .views import person_view, scene_view, warp
 
-# Shares of the kinds of samples; rooms (all but photos) are half of what the network sees.
-SHARES = {"photo": 0.5, "composed": 0.36, "empty": 0.14}
-SHARES_WITH_RENDERED = {"photo": 0.48, "composed": 0.32, "empty": 0.13, "render": 0.07}
+# Shares of the kinds of samples; rooms (all but photos) are over half of what the network sees.
+SHARES = {"photo": 0.44, "composed": 0.38, "empty": 0.18}
+SHARES_WITH_RENDERED = {"photo": 0.42, "composed": 0.34, "empty": 0.17, "render": 0.07}
 # Photos by kind. The street photos are many but all alike, so they count less than their number.
 PHOTO_SHARES = {"ccp_masked": 0.25, "ccp_teacher": 0.15, "lspet_teacher": 0.28,
                 "voc_teacher": 0.2, "human291_masked": 0.12}
