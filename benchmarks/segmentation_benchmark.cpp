@@ -1,5 +1,5 @@
-// Times of mask refinement, thread CPU time. The frames are those of the rendered sequence folder in the
-// environment variable STDC_MASKED_SEQUENCE (TUM layout with mask/), at most 300;
+// Times of the refinement and the propagation of masks, thread CPU time. The frames are those of the rendered
+// sequence folder in the environment variable STDC_MASKED_SEQUENCE (TUM layout with mask/), at most 300;
 // without it, rendered frames of walking-static.
 //
 //     STDC_MASKED_SEQUENCE=path/to/sequence build/release/segmentation_benchmark
@@ -13,6 +13,9 @@
 
 #include "core/random.hpp"
 #include "masked_footage.hpp"
+#include "rendering/rendered_sequence.hpp"
+#include "segmentation/mask_settling.hpp"
+#include "segmentation/propagation.hpp"
 #include "segmentation/refinement.hpp"
 
 namespace stdc {
@@ -72,6 +75,34 @@ void refine_worst(benchmark::State& state) {
   for (auto _ : state) refine(mask, depth, kUnits, {}, refined);
 }
 BENCHMARK(refine_worst)->Unit(benchmark::kMillisecond);
+
+void settle(benchmark::State& state) {
+  std::size_t i = 0;
+  masks();  // before the watch starts
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(settle_by_depth(masks()[i], frames()[i].depth, kUnits));
+    i = (i + 1) % frames().size();
+  }
+}
+BENCHMARK(settle)->Unit(benchmark::kMillisecond);
+
+/// What every frame costs when a mask comes `delay` frames late for each `delay`-th frame.
+void propagate(benchmark::State& state) {
+  const int delay = static_cast<int>(state.range(0));
+  MaskPropagator propagator(default_render_camera());
+  int number = 0;
+  const auto at = [&](int frame) -> const MaskedFrame& {
+    return frames()[static_cast<std::size_t>(frame) % frames().size()];
+  };
+  frames();  // before the watch starts
+  for (auto _ : state) {
+    propagator.add_frame(number, at(number).grey, at(number).depth);
+    if (number >= delay && number % delay == 0) propagator.set_mask(number - delay, at(number - delay).mask);
+    benchmark::DoNotOptimize(propagator.mask());
+    ++number;
+  }
+}
+BENCHMARK(propagate)->Arg(1)->Arg(3)->Arg(6)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace stdc
