@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "segmentation/propagation_tiles.hpp"
 #include "segmentation/propagation_warp.hpp"
@@ -56,7 +57,7 @@ bool MaskPropagator::set_mask(int frame, const cv::Mat& mask) {
   const auto step =
       std::find_if(steps_.begin(), steps_.end(), [frame](const Step& s) { return s.frame.number == frame; });
   if (step == steps_.end() || frame < mask_frame_) return false;
-  original_ = mask != 0;
+  cv::compare(mask, 0, original_, cv::CMP_NE);  // into the memory it has
   mask_frame_ = frame;
   tiles_ = make_tiles(original_, step->frame);
   for (auto next = step + 1; next != steps_.end(); ++next) advance((next - 1)->frame, *next);

@@ -35,6 +35,8 @@ class RangeMap {
   }
   float low(int x, int y) const { return low_[index(x, y)]; }
   float high(int x, int y) const { return high_[index(x, y)]; }
+  /// Whether there are moved pixels that may have any depth.
+  bool is_unknown(int x, int y) const { return high(x, y) == kInfinity; }
 
  private:
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -104,6 +106,15 @@ void settle_row(const T* __restrict depths, const T* __restrict low, const T* __
   }
 }
 
+template <typename T>
+void fill_cell(T* to, int scale, T value) {
+  if (scale == 4) {  // of images 640 wide
+    for (int i = 0; i < 4; ++i) to[i] = value;
+  } else {
+    std::fill_n(to, scale, value);
+  }
+}
+
 /// Settles the pixels of a box of cells by their depths. `to_units` makes depths in metres into those of the
 /// image.
 template <typename T, typename ToUnits>
@@ -114,14 +125,18 @@ void settle(const cv::Mat& depth, const cv::Rect& box, const RangeMap& ranges, i
   std::vector<std::uint8_t> anything(count);
   for (int y = box.y; y < box.br().y; ++y) {
     bool moved = false;
+    std::fill(low.begin(), low.end(), T(1));
+    std::fill(high.begin(), high.end(), T(0));
+    std::fill(anything.begin(), anything.end(), std::uint8_t{0});
     for (int x = box.x; x < box.br().x; ++x) {
       const float lowest = ranges.low(x, y), highest = ranges.high(x, y);
-      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(x - box.x) * scale;
-      moved |= lowest <= highest;
+      if (lowest > highest) continue;
+      moved = true;
+      const auto at = static_cast<std::size_t>((x - box.x) * scale);
       // What cannot be known stays as it was brought.
-      std::fill_n(anything.begin() + at, scale, std::isinf(highest - lowest) && lowest <= highest ? 1 : 0);
-      std::fill_n(low.begin() + at, scale, lowest <= highest ? to_units(lowest - tolerance) : T(1));
-      std::fill_n(high.begin() + at, scale, lowest <= highest ? to_units(highest + tolerance) : T(0));
+      fill_cell(&anything[at], scale, static_cast<std::uint8_t>(ranges.is_unknown(x, y) ? 1 : 0));
+      fill_cell(&low[at], scale, to_units(lowest - tolerance));
+      fill_cell(&high[at], scale, to_units(highest + tolerance));
     }
     if (!moved) continue;
     for (int row = y * scale; row < (y + 1) * scale; ++row) {
