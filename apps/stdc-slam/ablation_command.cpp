@@ -124,8 +124,9 @@ void add_ablation_command(CLI::App& app) {
   command->add_option("--camera", options->camera, "Camera file, for sequences that have none");
   command->add_option("--frames", options->frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
   command
-      ->add_option("--masks-from", options->masks_from,
-                   "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
+      ->add_option(
+          "--masks-from", options->masks_from,
+          "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
       ->check(CLI::IsMember({"network", "masks"}))
       ->capture_default_str();
   command->add_option("--weights", options->weights, "Weights of the network; default: those that ship");

@@ -78,9 +78,10 @@ std::string format_json(const AblationTable& table) {
     auto& entry = json[row.sequence];
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const AblationCell& cell = row.cells[i];
-      entry[table.columns[i]] = {{"ate_rmse_m", cell.ate_rmse ? nlohmann::ordered_json(*cell.ate_rmse) : nullptr},
-                                 {"coverage", cell.coverage},
-                                 {"frame_ms", cell.frame_ms}};
+      entry[table.columns[i]] = {
+          {"ate_rmse_m", cell.ate_rmse ? nlohmann::ordered_json(*cell.ate_rmse) : nullptr},
+          {"coverage", cell.coverage},
+          {"frame_ms", cell.frame_ms}};
     }
   }
   return json.dump(2) + "\n";

@@ -8,7 +8,7 @@
 #include "interrupt_watch.hpp"
 #include "output_folder.hpp"
 #include "process_usage.hpp"
-#include "run_sequence.hpp"
+#include "sequence_input.hpp"
 #include "test_sequence.hpp"
 
 namespace stdc::app {

@@ -187,7 +187,8 @@ std::string RunRecord::segmentation_text() const {
   if (lists.there) {
     const Quantiles time = quantiles(lists.segmentation), share = quantiles(lists.shares);
     text = fmt::format(
-        "segmentation {:.1f} ms a mask (median; 95 %: {:.1f}), masks {:.0f} frames old (median), dynamic {:.0f} "
+        "segmentation {:.1f} ms a mask (median; 95 %: {:.1f}), masks {:.0f} frames old (median), dynamic "
+        "{:.0f} "
         "% of the view (median; 95 %: {:.0f})\n",
         time.median, time.p95, quantiles(lists.ages).median, 100 * share.median, 100 * share.p95);
     if (lists.without_mask > 0) text += fmt::format("{} frames had no mask\n", lists.without_mask);

@@ -25,7 +25,8 @@ class FaultReport {
   FaultReport& operator=(const FaultReport&) = delete;
 
   void add(int frame, const std::string& fault, const char* outcome) {
-    if (++count_ <= kMost) progress_.message(fmt::format("stdc-slam: {}; frame {} {}", fault, frame, outcome));
+    if (++count_ <= kMost)
+      progress_.message(fmt::format("stdc-slam: {}; frame {} {}", fault, frame, outcome));
   }
 
  private:
