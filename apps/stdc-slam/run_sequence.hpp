@@ -15,8 +15,8 @@ struct RunOptions {
   std::optional<std::filesystem::path> camera, debug_images;
   SettingsOptions settings;
   SegmentationOptions segmentation;
-  std::string frames;    ///< "A:B": frames A..B-1 of the sequence; either may be missing
-  int debug_every = 10;  ///< a picture of every n-th frame
+  std::string frames;     ///< "A:B": frames A..B-1 of the sequence; either may be missing
+  int debug_every = 10;   ///< a picture of every n-th frame
   bool realtime = false;  ///< frames come at the pace of their timestamps
   bool quiet = false;
 };

@@ -13,9 +13,10 @@ void add_segmentation_options(CLI::App& command, SegmentationOptions& options) {
       .add_option("--segmentation", options.source,
                   "Where masks of people come from: off, network, or masks (files)")
       ->type_name("off|network|masks");
-  command.add_option("--masks", options.masks,
-                     "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
-                     "in the sequence");
+  command.add_option(
+      "--masks", options.masks,
+      "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
+      "in the sequence");
   command.add_option("--weights", options.weights, "Weights of the network; default: those that ship");
   command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
       ->type_name("on|off");
@@ -31,7 +32,8 @@ void apply_segmentation_options(const SegmentationOptions& options, Settings& se
 }
 
 ColourMode colour_mode(const Settings& settings) {
-  return settings.segmentation.source == SegmentationSource::network ? ColourMode::as_stored : ColourMode::grey;
+  return settings.segmentation.source == SegmentationSource::network ? ColourMode::as_stored
+                                                                     : ColourMode::grey;
 }
 
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,

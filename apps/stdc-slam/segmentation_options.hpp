@@ -16,8 +16,8 @@ namespace stdc::app {
 
 /// The options by which commands choose where masks come from.
 struct SegmentationOptions {
-  std::string source;                        ///< --segmentation off|network|masks; empty: as in the settings
-  std::string refinement;                    ///< --refinement on|off; empty: as in the settings
+  std::string source;                         ///< --segmentation off|network|masks; empty: as in the settings
+  std::string refinement;                     ///< --refinement on|off; empty: as in the settings
   std::optional<std::string> masks, weights;  ///< --masks FOLDER, --weights FILE
 };
 

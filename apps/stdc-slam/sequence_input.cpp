@@ -14,7 +14,8 @@ std::string name_of(const std::filesystem::path& folder) {
 }  // namespace
 
 SequenceInput::SequenceInput(const std::filesystem::path& folder,
-                             const std::optional<std::filesystem::path>& camera_file, const std::string& range)
+                             const std::optional<std::filesystem::path>& camera_file,
+                             const std::string& range)
     : sequence(folder), name(name_of(folder)), camera(find_camera(sequence, camera_file)) {
   if (sequence.has_ground_truth()) truth = sequence.ground_truth();
   const auto [first, end] = parse_frame_range(range, static_cast<int>(sequence.frames().size()));

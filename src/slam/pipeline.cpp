@@ -92,9 +92,9 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
   result.milliseconds.mask_wait = watch.lap_ms();
   extractor_.reject(dynamic.mask);
   result.milliseconds.rejection = watch.lap_ms();
-  result.segmentation =
-      SegmentationReport{dynamic.age,           dynamic.share,         dynamic.segmentation_ms,
-                         dynamic.propagation_ms, dynamic.refinement_ms, dynamic.problem};
+  result.segmentation = SegmentationReport{
+      dynamic.age,           dynamic.share,  dynamic.segmentation_ms, dynamic.propagation_ms,
+      dynamic.refinement_ms, dynamic.problem};
   if (settings_.system.report_keypoints) result.dynamic_mask = dynamic.mask;
 }
 

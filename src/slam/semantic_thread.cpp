@@ -80,8 +80,7 @@ void SemanticThread::take_in() {
 void SemanticThread::move_mask(const std::optional<Pose>& frame_from_last) {
   if (!settings_.propagation) return;
   Stopwatch watch;
-  const cv::Mat depth =
-      image_.depth.empty() ? cv::Mat(grey_.size(), CV_16UC1, cv::Scalar(0)) : image_.depth;
+  const cv::Mat depth = image_.depth.empty() ? cv::Mat(grey_.size(), CV_16UC1, cv::Scalar(0)) : image_.depth;
   propagator_.add_frame(frame_, grey_, depth, frame_from_last);
   result_.propagation_ms = watch.lap_ms();
 }

@@ -33,7 +33,8 @@ struct Scene {
     RgbdImage image{frame / 30.0, cv::Mat(kHeight, kWidth, CV_8UC1), cv::Mat(kHeight, kWidth, CV_16UC1)};
     image.depth.setTo(3 * 5000);
     for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) image.colour.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(random.below(60));
+      for (int x = 0; x < kWidth; ++x)
+        image.colour.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(random.below(60));
     }
     cv::GaussianBlur(image.colour, image.colour, {}, 1.5);
     cv::Mat texture(60, 40, CV_8UC1);
@@ -58,7 +59,8 @@ struct Scene {
 class FakeSegmenter : public Segmenter {
  public:
   using Change = std::function<cv::Mat(int frame, cv::Mat mask)>;
-  explicit FakeSegmenter(Change change, int milliseconds = 0) : change_(std::move(change)), pause_(milliseconds) {}
+  explicit FakeSegmenter(Change change, int milliseconds = 0)
+      : change_(std::move(change)), pause_(milliseconds) {}
   cv::Mat segment(const SegmenterInput& input) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause_));
     return change_(input.frame, Scene::truth(input.frame));
@@ -71,8 +73,8 @@ class FakeSegmenter : public Segmenter {
 
 cv::Mat same(int, cv::Mat mask) { return mask; }
 
-std::vector<DynamicMask> run(const SegmentationSettings& settings, int frames, FakeSegmenter::Change change = same,
-                             int milliseconds = 0) {
+std::vector<DynamicMask> run(const SegmentationSettings& settings, int frames,
+                             FakeSegmenter::Change change = same, int milliseconds = 0) {
   SemanticThread thread(camera(), settings, {}, {}, std::make_unique<FakeSegmenter>(change, milliseconds));
   std::vector<DynamicMask> masks;
   for (int frame = 0; frame < frames; ++frame) {

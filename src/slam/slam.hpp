@@ -47,12 +47,13 @@ struct MappingReport {
 
 /// What the semantic thread found out about a frame.
 struct SegmentationReport {
-  int mask_age = -1;         ///< frames between the image that was segmented and this one; -1: there is no mask
+  int mask_age = -1;  ///< frames between the image that was segmented and this one; -1: there is no mask
   double dynamic_share = 0;  ///< of the pixels, after refinement
-  std::optional<double> segmentation_ms;  ///< wall, of the segmentation that was taken in at this frame, if any
-  double propagation_ms = 0;              ///< wall, carrying the mask to this frame
-  double refinement_ms = 0;               ///< wall, of the SRM
-  std::string problem;                    ///< why a frame could not be segmented; empty: none
+  std::optional<double>
+      segmentation_ms;        ///< wall, of the segmentation that was taken in at this frame, if any
+  double propagation_ms = 0;  ///< wall, carrying the mask to this frame
+  double refinement_ms = 0;   ///< wall, of the SRM
+  std::string problem;        ///< why a frame could not be segmented; empty: none
 };
 
 /// What track() tells about a frame.
@@ -68,8 +69,8 @@ struct TrackingResult {
   StageTimes milliseconds;
   std::optional<MappingReport> mapping;
   std::optional<SegmentationReport> segmentation;  ///< if there is a segmenter
-  std::vector<Keypoint> keypoints;             ///< raw pixels; filled if SystemSettings.report_keypoints
-  std::vector<KeypointState> keypoint_states;  ///< same length
+  std::vector<Keypoint> keypoints;                 ///< raw pixels; filled if SystemSettings.report_keypoints
+  std::vector<KeypointState> keypoint_states;      ///< same length
   cv::Mat dynamic_mask;  ///< CV_8UC1, 255 = dynamic, or empty; filled like the keypoints
 };
 
