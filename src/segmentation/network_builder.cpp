@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "segmentation/tensor_kernels.hpp"
+#include "segmentation/winograd_convolution.hpp"
 
 namespace stdc {
 
@@ -54,10 +55,15 @@ void NetworkBuilder::convolution_into(const ConvolutionWeights& layer, const Act
   ConvolutionOptions complete = options;
   complete.source_scale = source.scale;
   complete.target_scale = target.scale;
+  const auto outputs = static_cast<double>(target.view().shape.pixels());
+  const double count = static_cast<double>(layer.weights.size()) * outputs;
+  if (threads_ == 1 && options.relu && WinogradConvolution::suits(layer, source.view(), target.view())) {
+    const auto winograd = std::make_shared<WinogradConvolution>(layer, source.view(), target.view());
+    add(layer.name, "own Winograd", count, [winograd] { winograd->run(); });
+    return;
+  }
   const auto kernel =
       std::make_shared<DnnlConvolution>(engine_, layer, source.view(), target.view(), complete);
-  const double count =
-      static_cast<double>(layer.weights.size()) * static_cast<double>(target.view().shape.pixels());
   add(layer.name, kernel->kernel(), count, [kernel] { kernel->run(); });
 }
 

@@ -27,11 +27,13 @@ struct PlannedStep {
 };
 
 /// Puts a network together step by step: it owns the memory of all activations, the kernels, and the list of
-/// steps. Convolutions run in fp32 or int8; what lies between them is done by tensor_kernels.
+/// steps. Convolutions run in fp32 or int8, by oneDNN or, where that has none for AVX2, by our
+/// Winograd; what lies between them is done by tensor_kernels.
 class NetworkBuilder {
  public:
-  /// `block` of all tensors; 0: channels last.
-  NetworkBuilder(NetworkPrecision precision, int block) : precision_(precision), block_(block) {}
+  /// `block` of all tensors; 0: channels last. `threads`: of inference.
+  NetworkBuilder(NetworkPrecision precision, int block, int threads)
+      : precision_(precision), block_(block), threads_(threads) {}
 
   bool is_int8() const { return precision_ == NetworkPrecision::int8; }
   int levels() const { return levels_; }
@@ -71,7 +73,7 @@ class NetworkBuilder {
            std::function<void()> run);
 
   NetworkPrecision precision_;
-  int block_;
+  int block_, threads_;
   int levels_ = DnnlEngine::activation_levels();
   DnnlEngine engine_;
   TensorArena arena_;

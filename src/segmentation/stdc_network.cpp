@@ -56,7 +56,7 @@ struct StdcNetwork::Implementation {
       : precision(choose_precision(weights, wanted)),
         threads(thread_count),
         classes(weights.classify.outputs),
-        builder(precision, choose_block(weights, precision)),
+        builder(precision, choose_block(weights, precision), thread_count),
         input(weights, size, precision) {
     const Activation stage2 = add_stem(weights);
     add_stages(weights, stage2);
