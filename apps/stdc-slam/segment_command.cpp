@@ -101,6 +101,15 @@ SegmentedImage segment_image(const Options& options, const SegmentImage& image, 
   return result;
 }
 
+/// Which mask belongs to which time, as `run --masks` reads it; empty for images that have no time.
+std::string mask_list(const std::vector<SegmentImage>& images) {
+  std::string text;
+  for (const SegmentImage& image : images) {
+    if (image.timestamp) text += fmt::format("{:.6f} {}.png\n", *image.timestamp, image.name);
+  }
+  return text;
+}
+
 void segment(const Options& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
@@ -128,6 +137,7 @@ void segment(const Options& options) {
                 "give a folder of PNGs named like the images");
   }
   output.write("segments.csv", segments_csv(results));
+  if (const std::string masks = mask_list(images); !masks.empty()) output.write("mask.txt", masks);
   output.commit();
   if (options.quiet) return;
   if (const auto* network = dynamic_cast<const NetworkSegmenter*>(segmenter.get())) {
@@ -141,6 +151,7 @@ INPUT is an image, a folder of images (PNG, JPEG), or a sequence in TUM RGB-D la
 folder, all at the end or nothing:
   NAME.png          mask of the image NAME.*: 255 = dynamic, else 0; `run --masks` takes the folder as it is
   NAME-overlay.jpg  the image with the mask drawn over it
+  mask.txt          of a sequence: the time of each mask
   segments.csv      share of dynamic pixels, milliseconds and scores of every image
 
 Scores: IoU, precision and recall of the dynamic pixels; boundary F: how well the outlines agree (within 0.8 %
