@@ -36,6 +36,8 @@ def parse(arguments=None):
     parser.add_argument("--height", type=int, default=160)
     parser.add_argument("--batch", type=int, default=16)
     parser.add_argument("--images", type=int, default=400_000, help="when the schedule ends")
+    parser.add_argument("--fall-from", type=int, default=0, metavar="IMAGES",
+                        help="where the learning rate begins to fall towards 0 at --images")
     parser.add_argument("--rate", type=float, default=2e-3, help="highest learning rate (AdamW)")
     parser.add_argument("--decay", type=float, default=0.02, help="weight decay")
     parser.add_argument("--warmup", type=int, default=300, help="steps")
@@ -79,7 +81,8 @@ class Trainer:
     def rate(self):
         """Warm-up, then the poly schedule with power 0.9 (the paper, sec. 4.1)."""
         warm = min(1.0, (self.steps + 1) / self.options.warmup)
-        left = max(0.0, 1 - self.images / self.options.images)
+        begin, end = self.options.fall_from, self.options.images
+        left = min(1.0, max(0.0, (end - self.images) / (end - begin)))
         return self.options.rate * warm * left**0.9
 
     def step(self, pixels, labels):
