@@ -54,6 +54,7 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
                            const TrackingSettings& settings) {
   const FrameFeatures& features = *frame.features;
+  const bool first = map.keyframe_count() == 0;
   const KeyframeId keyframe = map.add_keyframe(
       {frame.index, frame.timestamp, frame.cam_from_world, frame.motion, frame.features, frame.measurements});
   std::vector<int> free_with_depth;
@@ -69,8 +70,9 @@ KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& 
   for (std::size_t rank = 0; rank < free_with_depth.size(); ++rank) {
     const int i = free_with_depth[rank];
     const Measurement& measurement = frame.measurements[i];
-    if (measurement.depth > settings.close_depth && static_cast<int>(rank) >= settings.initial_landmarks)
-      break;
+    // The first map takes what there is; later ones wait for distant points to be triangulated.
+    const bool enough = !first && static_cast<int>(rank) >= settings.initial_landmarks;
+    if (measurement.depth > settings.close_depth && enough) break;
     const LandmarkId landmark = map.add_landmark(
         world_from_cam * camera.unproject(measurement.pixel.cast<double>(), measurement.depth), keyframe);
     map.observe(keyframe, i, landmark);

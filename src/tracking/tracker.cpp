@@ -109,9 +109,11 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& py
     frame.outlier[match.keypoint] = 0;
     if (match.landmark >= 0) frame.landmarks[match.keypoint] = map.landmarks[match.landmark].id;
   }
-  frame.inliers = static_cast<int>(inliers.size());
+  // Temporary points keep a frame in track, but nothing holds them in place: they do not count as landmarks.
+  frame.inliers =
+      static_cast<int>(inliers.size() - std::count_if(inliers.begin(), inliers.end(), is_temporary));
   count(map, visible, inliers);
-  return frame.inliers >= least_inliers;
+  return static_cast<int>(inliers.size()) >= least_inliers;
 }
 
 void Tracker::count(const LocalMap& map, const std::vector<int>& visible,
