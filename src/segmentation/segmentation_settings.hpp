@@ -39,6 +39,7 @@ struct SegmentationSettings {
   SegmentationPace pace = SegmentationPace::every_frame;
   int latency = 3;
   bool propagation = true;
+  bool settling = false;
   bool refinement = true;
 
   template <typename Self, typename Visit>
@@ -51,6 +52,8 @@ struct SegmentationSettings {
           self.latency);
     visit(Setting{"propagation", "", "Move a mask of an earlier frame with what it covers"},
           self.propagation);
+    visit(Setting{"settling", "", "Before refinement, take off the mask's rim what depth says is background"},
+          self.settling);
     visit(Setting{"refinement", "", "Complete masks by depth (SRM, Alg. 1)"}, self.refinement);
   }
 };

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "segmentation/mask_settling.hpp"
 
 namespace stdc {
 
@@ -93,7 +94,10 @@ void SemanticThread::complete_mask() {
   mask_is_new_ = false;
   cv::Mat mask = moved_mask();
   result_.propagation_ms += watch.lap_ms();
-  if (settings_.refinement && !image_.depth.empty()) {
+  const bool has_depth = !image_.depth.empty();
+  // A rim of background claims the background around it.
+  if (settings_.settling && has_depth) mask = settle_by_depth(mask, image_.depth, depth_units_per_metre_);
+  if (settings_.refinement && has_depth) {
     mask = refine(mask, image_.depth, depth_units_per_metre_, refinement_);
   }
   result_.refinement_ms = watch.lap_ms();
