@@ -62,9 +62,11 @@ def main():
     for name, pairs in validation_sets(packed, tuple(options.size)).items():
         maps = person_maps(network, [image for image, _ in pairs])
         s = metrics.mean_scores(maps, [label for _, label in pairs])
-        print(f"| {name} | {len(pairs)} | {s['iou']:.3f} | {s['precision']:.3f} | "
-              f"{s['recall']:.3f} | {s['boundary_f']:.3f} | {100 * s['wrong_share']:.2f} % |",
-              flush=True)
+        shown = ("iou", "precision", "recall", "boundary_f")
+        people_seen = any((label == 1).any() for _, label in pairs)
+        columns = [f"{s[key]:.3f}" if people_seen else "-" for key in shown]
+        columns.append(f"{100 * s['wrong_share']:.2f} %")
+        print(f"| {name} | {len(pairs)} | {' | '.join(columns)} |", flush=True)
         if options.pictures:
             Path(options.pictures).mkdir(parents=True, exist_ok=True)
             picture = cv2.cvtColor(montage(pairs, maps), cv2.COLOR_RGB2BGR)
