@@ -93,9 +93,10 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
   constexpr float kMargin = 4;  // level pixels
   for (int level = 0; level < pyramid.levels(); ++level) {
     const float s = scale(level);
-    std::erase_if(corners[at(level)], [&](const Corner& corner) {
-      return dynamic.touches(level_to_image(corner.x, s), level_to_image(corner.y, s), kMargin * s);
-    });
+    dynamic.spread(static_cast<int>(std::lround(kMargin * s)));
+    const auto nearest = [s](int x) { return static_cast<int>(level_to_image(x, s) + 0.5F); };
+    std::erase_if(corners[at(level)],
+                  [&](const Corner& corner) { return dynamic.near(nearest(corner.x), nearest(corner.y)); });
   }
 }
 

@@ -1,23 +1,33 @@
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
 namespace stdc {
 
-/// Answers whether there is a dynamic pixel near a place, for any radius at the same cost (integral image).
+/// Answers whether there is a dynamic pixel near a place, for many places and few radii.
 class DynamicArea {
  public:
   /// `mask`: CV_8UC1, not zero = dynamic; empty: nothing is dynamic.
   void set(const cv::Mat& mask);
   bool empty() const { return empty_; }
-  /// Is any pixel with |dx| <= radius and |dy| <= radius of (x, y) [px] dynamic?
-  bool touches(float x, float y, float radius) const;
+  /// From now on near() looks this far [px], at least 0.
+  void spread(int radius);
+  /// Is any pixel with |dx| <= radius and |dy| <= radius of (x, y) dynamic? Places outside the image are not
+  /// near anything.
+  bool near(int x, int y) const {
+    if (empty_ || x < 0 || y < 0 || x >= width_ || y >= height_) return false;
+    const std::size_t word = static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(x) / 64;
+    return (spread_[word] >> (static_cast<unsigned>(x) % 64U) & 1U) != 0;
+  }
 
  private:
   int width_ = 0, height_ = 0;
   bool empty_ = true;
-  std::vector<std::uint32_t> sums_;  // (width + 1) x (height + 1): dynamic pixels above and to the left
+  std::size_t words_ = 0;  // of 64 pixels, in a row
+  // A bit for each pixel, row by row: the mask, and the mask spread.
+  std::vector<std::uint64_t> rows_, spread_, scratch_;
 };
 
 }  // namespace stdc

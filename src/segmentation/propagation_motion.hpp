@@ -27,7 +27,7 @@ class MotionField {
   bool at(const Eigen::Vector2f& position, float depth, Motion& motion) const;
 
  private:
-  static constexpr int kBin = 6;  ///< side of a bin [cells]; one point in each at most
+  static constexpr int kBin = 8;  ///< side of a bin [cells]; one point in each at most
 
   struct Point {
     Eigen::Vector2f position = Eigen::Vector2f::Zero(), flow = Eigen::Vector2f::Zero();
