@@ -22,8 +22,8 @@ struct SelectionCell {
 ///     FeatureExtractor extractor({.keypoints = 1000});
 ///     Features features = extractor.extract(grey);
 ///
-/// The steps can also be called apart: `detect` needs the image only and may run beside segmentation, `reject`
-/// drops what lies on dynamic pixels, and `select` spends the whole budget on the static candidates.
+/// The steps can also be called apart: `detect` needs the image only and may run beside segmentation,
+/// `reject` drops what lies on dynamic pixels, and `select` spends the whole budget on the static candidates.
 /// An extractor keeps its buffers between images; use one per thread. Same image, same bytes.
 class FeatureExtractor {
  public:
