@@ -116,7 +116,8 @@ void Pipeline::take_in(TrackingResult& result) {
 }
 
 TrackingStatus Pipeline::locate(TrackedFrame& frame) {
-  if (map_.keyframe_count() == 0) {
+  // Not map_.keyframe_count(): the map may be the mapper's at this time.
+  if (!last_keyframe_.valid()) {
     return initialise(frame) ? TrackingStatus::ok : TrackingStatus::initialising;
   }
   bool tracked = false;
@@ -172,7 +173,7 @@ bool Pipeline::relocalise(TrackedFrame& frame) {
 }
 
 bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
-  if (in_flight_ || map_.keyframe_count() == 0) return false;
+  if (in_flight_ || !last_keyframe_.valid()) return false;
   return needs_keyframe(camera_, frame, local_map_, frame.index - last_keyframe_frame_, map_.keyframe_count(),
                         settings_.tracking);
 }
