@@ -140,7 +140,8 @@ bool Pipeline::initialise(TrackedFrame& frame) {
   for (int i = 0; i < frame.features->size(); ++i) with_depth += frame.features->depth(i) > 0 ? 1 : 0;
   if (with_depth < settings_.tracking.initial_landmarks) return false;
   make_keyframe(frame);
-  frame.matches = frame.inliers = map_.landmark_count();
+  frame.matches = frame.inliers = static_cast<int>(std::count_if(
+      frame.landmarks.begin(), frame.landmarks.end(), [](LandmarkId id) { return id.valid(); }));
   return true;
 }
 
