@@ -24,7 +24,9 @@ class SmallImage {
   const std::uint8_t* row(int y) const { return pixels_.data() + offset(y); }
 
  private:
-  std::size_t offset(int y) const { return static_cast<std::size_t>((y + kBorder) * stride() + kBorder); }
+  std::size_t offset(int y) const {
+    return static_cast<std::size_t>(y + kBorder) * static_cast<std::size_t>(stride()) + kBorder;
+  }
   int width_ = 0, height_ = 0;
   std::vector<std::uint8_t> pixels_;
 };
@@ -42,7 +44,10 @@ struct SmallFrame {
   int width() const { return levels[0].width(); }
   int height() const { return levels[0].height(); }
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width() && y < height(); }
-  float depth_at(int x, int y) const { return depth[static_cast<std::size_t>(y * width() + x)]; }
+  float depth_at(int x, int y) const {
+    return depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) +
+                 static_cast<std::size_t>(x)];
+  }
 };
 
 /// Side of a cell for frames of that width [px].
