@@ -44,13 +44,20 @@ Map::Map(std::vector<Keyframe> keyframes, std::vector<Landmark> landmarks)
     : removed_(keyframes.size()),
       keyframe_count_(static_cast<int>(keyframes.size())),
       landmark_count_(static_cast<int>(landmarks.size())) {
-  for (Keyframe& keyframe : keyframes) keyframes_.push_back(std::make_unique<Keyframe>(std::move(keyframe)));
+  for (Keyframe& keyframe : keyframes) {
+    const auto number = static_cast<std::size_t>(keyframe.map);
+    if (roots_.size() <= number) roots_.resize(number + 1);
+    if (!keyframe.parent.valid()) roots_[number] = keyframe.id;
+    keyframes_.push_back(std::make_unique<Keyframe>(std::move(keyframe)));
+  }
   for (Landmark& landmark : landmarks) landmarks_.push_back(std::make_unique<Landmark>(std::move(landmark)));
 }
 
 KeyframeId Map::add_keyframe(const NewKeyframe& made_of) {
   auto keyframe = std::make_unique<Keyframe>();
   keyframe->id = {static_cast<std::uint32_t>(keyframes_.size())};
+  keyframe->map = made_of.map;
+  if (made_of.map == map_count()) roots_.push_back(keyframe->id);
   keyframe->frame = made_of.frame;
   keyframe->timestamp = made_of.timestamp;
   keyframe->cam_from_world = made_of.cam_from_world;
@@ -128,6 +135,7 @@ void Map::remove(KeyframeId id) {
     if (landmark.valid() && has(landmark)) refresh(landmark);
   }
   for (const Covisible& c : keyframe.covisible) set_covisible(c.keyframe, id, 0);
+  for (const KeyframeId tied : keyframe.loops) std::erase(keyframes_[tied.value]->loops, id);
   reparent_children(keyframe);
   const Pose& parent_from_world = keyframes_[keyframe.parent.value]->cam_from_world;
   removed_[id.value] = std::make_unique<Removed>(
@@ -206,7 +214,7 @@ void Map::update_covisibility(KeyframeId id) {
   }
   std::sort(covisible.begin(), covisible.end(), more_shared);
   keyframe.covisible = std::move(covisible);
-  if (keyframe.parent.valid() || id.value == 0) return;
+  if (keyframe.parent.valid() || roots_[keyframe.map] == id) return;
   for (const Covisible& c : keyframe.covisible) {
     if (!(c.keyframe < id)) continue;
     keyframe.parent = c.keyframe;
@@ -214,7 +222,7 @@ void Map::update_covisibility(KeyframeId id) {
   }
   // It shares nothing with any older one: the keyframe before it is as good as any.
   for (std::uint32_t other = id.value; other-- > 0 && !keyframe.parent.valid();) {
-    if (keyframes_[other] != nullptr) keyframe.parent = {other};
+    if (keyframes_[other] != nullptr && keyframes_[other]->map == keyframe.map) keyframe.parent = {other};
   }
 }
 
@@ -239,6 +247,36 @@ Map::Anchor Map::resolve(KeyframeId id) const {
     anchor.keyframe = removed.parent;
   }
   return anchor;
+}
+
+int Map::keyframe_count(int map) const {
+  return static_cast<int>(std::count_if(keyframes_.begin(), keyframes_.end(), [map](const auto& keyframe) {
+    return keyframe != nullptr && keyframe->map == map;
+  }));
+}
+
+void Map::join(int from, int into) {
+  for (const auto& keyframe : keyframes_) {
+    if (keyframe != nullptr && keyframe->map == from) keyframe->map = into;
+  }
+  keyframes_[roots_[from].value]->parent = roots_[into];
+  roots_[from] = {};
+}
+
+void Map::tie(KeyframeId a, KeyframeId b) {
+  const auto note = [this](KeyframeId of, KeyframeId other) {
+    auto& loops = keyframes_[of.value]->loops;
+    const auto place = std::lower_bound(loops.begin(), loops.end(), other);
+    if (place == loops.end() || *place != other) loops.insert(place, other);
+  };
+  note(a, b);
+  note(b, a);
+}
+
+std::vector<KeyframeId> Map::keyframe_ids(int map) const {
+  std::vector<KeyframeId> ids = keyframe_ids();
+  std::erase_if(ids, [&](KeyframeId id) { return keyframe(id).map != map; });
+  return ids;
 }
 
 std::vector<KeyframeId> Map::keyframe_ids() const {

@@ -18,10 +18,16 @@ struct NewKeyframe {
   CameraMotion motion;
   std::shared_ptr<const FrameFeatures> features;
   std::vector<Measurement> measurements;  ///< per keypoint
+  int map = 0;                            ///< number of its map; `map_count()` starts another one
 };
 
 /// Landmarks, keyframes and who sees whom. The map owns both; everyone else holds ids. Not synchronised: one
 /// worker at a time has the map.
+///
+/// It is an atlas of several maps that share nothing (Elvira, Tardos and Montiel, 'ORBSLAM-Atlas', IROS
+/// 2019): when tracking was lost for good another one is started, in coordinates of its own, and when they
+/// turn out to show the same place the two are joined. Each is a spanning tree of keyframes; their numbers
+/// are given in the order of their making and never again.
 ///
 /// References returned stay valid until the thing itself is removed. Ids are never reused: what was removed
 /// is found to be gone (`has`), and its memory is freed.
@@ -63,7 +69,7 @@ class Map {
   void merge(LandmarkId from, LandmarkId into);
   void remove(LandmarkId id);
   /// Removes a keyframe: its observations go, its children get new parents. It is remembered where it was
-  /// relative to its parent (see `resolve`). The first keyframe cannot be removed.
+  /// relative to its parent (see `resolve`). A root cannot be removed.
   void remove(KeyframeId id);
 
   /// Recomputes descriptor, viewing direction and distance range of a landmark from its observations.
@@ -81,6 +87,20 @@ class Map {
     Pose cam_from_anchor;
   };
   Anchor resolve(KeyframeId id) const;
+
+  /// Numbers of maps given so far.
+  int map_count() const { return static_cast<int>(roots_.size()); }
+  /// The oldest keyframe of a map; invalid if it was joined to another.
+  KeyframeId root(int map) const { return roots_[map]; }
+  /// The map that a keyframe, even a removed one, belongs to.
+  int map_of(KeyframeId id) const { return keyframe(resolve(id).keyframe).map; }
+  int keyframe_count(int map) const;
+  /// Keyframes of a map, by id.
+  std::vector<KeyframeId> keyframe_ids(int map) const;
+  /// All of `from` now belongs to the older map `into`. What is where is for the caller to see to.
+  void join(int from, int into);
+  /// Notes that a loop ties two keyframes to each other.
+  void tie(KeyframeId a, KeyframeId b);
 
   /// All keyframes and landmarks, by id.
   std::vector<KeyframeId> keyframe_ids() const;
@@ -105,6 +125,7 @@ class Map {
   std::vector<std::unique_ptr<Keyframe>> keyframes_;
   std::vector<std::unique_ptr<Landmark>> landmarks_;
   std::vector<std::unique_ptr<Removed>> removed_;  ///< by keyframe id
+  std::vector<KeyframeId> roots_;                  ///< by map number
   int keyframe_count_ = 0, landmark_count_ = 0;
 };
 

@@ -50,10 +50,9 @@ int cull_keyframes(Map& map, KeyframeId keyframe, double close_depth, const Mapp
   int culled = 0;
   const std::vector<Covisible> covisible = map.keyframe(keyframe).covisible;
   for (const Covisible& c : covisible) {
-    if (c.keyframe.value == 0 ||
-        !is_redundant(map, map.keyframe(c.keyframe), close_depth, settings.redundant_share)) {
-      continue;
-    }
+    const Keyframe& neighbour = map.keyframe(c.keyframe);
+    const bool holds_others = !neighbour.parent.valid() || !neighbour.loops.empty();
+    if (holds_others || !is_redundant(map, neighbour, close_depth, settings.redundant_share)) continue;
     map.remove(c.keyframe);
     ++culled;
   }

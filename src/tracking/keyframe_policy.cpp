@@ -52,11 +52,11 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 }
 
 KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
-                           const TrackingSettings& settings) {
+                           const TrackingSettings& settings, int number) {
   const FrameFeatures& features = *frame.features;
-  const bool first = map.keyframe_count() == 0;
-  const KeyframeId keyframe = map.add_keyframe(
-      {frame.index, frame.timestamp, frame.cam_from_world, frame.motion, frame.features, frame.measurements});
+  const bool first = number == map.map_count();
+  const KeyframeId keyframe = map.add_keyframe({frame.index, frame.timestamp, frame.cam_from_world,
+                                                frame.motion, frame.features, frame.measurements, number});
   std::vector<int> free_with_depth;
   for (int i = 0; i < features.size(); ++i) {
     LandmarkId& landmark = frame.landmarks[i];

@@ -20,7 +20,8 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 /// Puts a frame into the map as a keyframe: it observes its inlier landmarks, and new landmarks are made of
 /// the depths of its other keypoints: all close ones, and in any case the nearest `initial_landmarks`. The
 /// frame then sees these too.
+/// @param number  of the map that it goes to; `map.map_count()` starts another one
 KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
-                           const TrackingSettings& settings);
+                           const TrackingSettings& settings, int number = 0);
 
 }  // namespace stdc
