@@ -31,7 +31,7 @@ class TestFolder {
   /// Writes a file, making its folders.
   template <typename Bytes>
   std::filesystem::path write(const std::string& name, const Bytes& bytes) const {
-    const std::filesystem::path path = path_ / name;
+    std::filesystem::path path = path_ / name;
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

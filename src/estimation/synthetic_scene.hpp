@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -44,8 +46,13 @@ struct Scene {
 
 /// Whether two poses have the same bytes (between their fields there may be padding).
 inline bool same(const Pose& a, const Pose& b) {
-  return std::memcmp(a.rotation.coeffs().data(), b.rotation.coeffs().data(), 4 * sizeof(double)) == 0 &&
-         std::memcmp(a.translation.data(), b.translation.data(), 3 * sizeof(double)) == 0;
+  using Bits = std::array<std::uint64_t, 7>;
+  const auto bits = [](const Pose& pose) {
+    const Eigen::Vector4d& q = pose.rotation.coeffs();
+    const Eigen::Vector3d& t = pose.translation;
+    return std::bit_cast<Bits>(std::array<double, 7>{q[0], q[1], q[2], q[3], t[0], t[1], t[2]});
+  };
+  return bits(a) == bits(b);
 }
 
 inline Eigen::Vector3d normal3(Random& random, double sigma) {

@@ -94,7 +94,7 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
   for (int level = 0; level < pyramid.levels(); ++level) {
     const float s = scale(level);
     dynamic.spread(static_cast<int>(std::lround(kMargin * s)));
-    const auto nearest = [s](int x) { return static_cast<int>(level_to_image(x, s) + 0.5F); };
+    const auto nearest = [s](int x) { return static_cast<int>(std::lround(level_to_image(x, s))); };
     std::erase_if(corners[at(level)],
                   [&](const Corner& corner) { return dynamic.near(nearest(corner.x), nearest(corner.y)); });
   }

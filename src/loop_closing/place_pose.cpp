@@ -26,6 +26,7 @@ std::vector<PlaceSight> match_window(const Map& map, const std::vector<KeyframeI
     const std::vector<KeypointPair> pairs =
         match_all(*keyframe.features, use, image, settings.match_distance, settings.best_to_second);
     std::vector<float> turns;
+    turns.reserve(pairs.size());
     for (const KeypointPair& p : pairs)
       turns.push_back(keyframe.features->keypoint(p.first).angle - image.keypoint(p.second).angle);
     const std::vector<std::uint8_t> keep = consistent_turns(turns);

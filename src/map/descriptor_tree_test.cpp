@@ -32,6 +32,7 @@ struct Planted {
   explicit Planted(int count, std::uint64_t seed = 1) {
     Random random(seed);
     std::vector<Descriptor> corners;
+    corners.reserve(100);
     for (int i = 0; i < 100; ++i) corners.push_back(random_descriptor(random));
     for (int i = 0; i < count; ++i) {
       descriptors.push_back(flipped(corners[random.below(100)], 60, random));

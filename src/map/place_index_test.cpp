@@ -109,6 +109,7 @@ TEST(PlaceIndex, WhatIsRemovedIsNeverFoundAgain) {
   PlaceIndex index = make_index(rooms, kPlaces, kKeyframes);
   Random random(2);
   std::vector<KeyframeId> left;
+  left.reserve(kKeyframes);
   for (int k = 0; k < kKeyframes; ++k) left.push_back(id(k));
   while (left.size() > 1) {
     const auto place = left.begin() + random.below(static_cast<std::uint32_t>(left.size()));

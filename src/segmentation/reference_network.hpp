@@ -65,8 +65,8 @@ class ReferenceNetwork {
             for (int tap = 0; tap < k * k; ++tap) {
               const int v = y * layer.stride + tap / k - pad, u = x * layer.stride + tap % k - pad;
               if (v < 0 || u < 0 || v >= in.height || u >= in.width) continue;
-              total += layer.weights[static_cast<std::size_t>((o * in.channels + i) * k * k + tap)] *
-                       in.at(i, v, u);
+              const int weight = (o * in.channels + i) * k * k + tap;
+              total += layer.weights[static_cast<std::size_t>(weight)] * in.at(i, v, u);
             }
           }
           out.at(o, y, x) = then(total);
