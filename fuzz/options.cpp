@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "../apps/stdc-slam/run_sequence.hpp"
 #include "core/error.hpp"
+#include "sequence_input.hpp"
 #include "slam/settings_io.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
