@@ -4,7 +4,7 @@
 #include <numbers>
 #include <opencv2/core.hpp>
 
-#include "rendering/camera_motion.hpp"
+#include "rendering/camera_path.hpp"
 #include "rendering/cast.hpp"
 #include "rendering/director.hpp"
 #include "rendering/film_exposer.hpp"

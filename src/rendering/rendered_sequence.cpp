@@ -3,7 +3,7 @@
 #include <cassert>
 #include <opencv2/core.hpp>
 
-#include "rendering/camera_motion.hpp"
+#include "rendering/camera_path.hpp"
 #include "rendering/cast.hpp"
 #include "rendering/colour_sensor.hpp"
 #include "rendering/depth_sensor.hpp"

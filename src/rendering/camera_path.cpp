@@ -1,4 +1,4 @@
-#include "rendering/camera_motion.hpp"
+#include "rendering/camera_path.hpp"
 
 #include <algorithm>
 #include <cmath>
