@@ -99,6 +99,26 @@ TEST(KeyframeCulling, RemovesTheRedundantAndKeepsTheFirst) {
   EXPECT_EQ(cull_keyframes(mapped.map, {4}, 10, {}), 0);
 }
 
+TEST(KeyframeCulling, WhatALoopIsTiedToStays) {
+  test::MappedScene mapped = crowd();
+  mapped.map.tie({1}, {2});
+  EXPECT_EQ(cull_keyframes(mapped.map, {4}, 10, {}), 1) << "now the fourth is the redundant one";
+  EXPECT_TRUE(mapped.map.has(KeyframeId{1}) && mapped.map.has(KeyframeId{2}));
+  EXPECT_FALSE(mapped.map.has(KeyframeId{3}));
+  EXPECT_EQ(mapped.map.keyframe({1}).loops, std::vector<KeyframeId>{{2}});
+  test::expect_consistent(mapped.map);
+}
+
+TEST(KeyframeCulling, TheRootOfAYoungerMapStays) {
+  test::MappedScene mapped = crowd();
+  mapped.start_map();
+  for (int k = 0; k < 5; ++k) mapped.add(mapped.scene.look(test::camera_at(0.001 * k, 0, 0)));
+  EXPECT_EQ(cull_keyframes(mapped.map, {9}, 10, {}), 2);
+  EXPECT_TRUE(mapped.map.has(KeyframeId{5}));
+  EXPECT_EQ(mapped.map.keyframe_count(0), 5) << "the other map is not touched";
+  test::expect_consistent(mapped.map);
+}
+
 TEST(KeyframeCulling, OnlyCloseLandmarksCount) {
   test::MappedScene mapped = crowd();
   EXPECT_EQ(cull_keyframes(mapped.map, {4}, 0.5, {}), 0) << "none is close";
