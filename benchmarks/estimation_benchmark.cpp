@@ -23,9 +23,9 @@ struct PoseTask {
 /// Scenes with 2 cm and 0.02 rad of initial error per axis.
 std::vector<PoseTask> pose_tasks(int observations) {
   std::vector<PoseTask> tasks;
-  for (int k = 0; k < 16; ++k) {
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
     synthetic::Options options;
-    options.seed = static_cast<std::uint64_t>(k + 1);
+    options.seed = seed;
     Random random(options.seed + 100);
     synthetic::PoseScene scene = synthetic::make_pose_scene(options, observations);
     const Pose initial = synthetic::disturbed(scene.truth, random, 0.02, 0.02);

@@ -29,6 +29,7 @@ Footage render() {
   Footage footage{sequence.camera(), std::vector<RgbdImage>(kRendered)};
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::vector<std::jthread> workers;
+  workers.reserve(static_cast<std::size_t>(threads));
   for (int first = 0; first < threads; ++first) {
     workers.emplace_back([&, first] {
       for (int i = first; i < kRendered; i += threads) {
