@@ -32,8 +32,8 @@ void write(const std::filesystem::path& path, const std::vector<std::uint8_t>& b
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// Two keyframes that see the same three landmarks, with or without patches.
-std::string small_map(bool patches) {
+/// Per map two keyframes that see the same three landmarks and are tied, with or without patches.
+std::string small_map(int maps, bool patches) {
   const stdc::Camera camera{.width = 40, .height = 24};
   stdc::StoredFeatures stored;
   stored.keypoints.resize(4);
@@ -43,14 +43,17 @@ std::string small_map(bool patches) {
   if (patches) stored.patches.resize(4);
   const auto features = std::make_shared<const stdc::FrameFeatures>(camera, std::move(stored));
   stdc::Map map;
-  for (int frame = 0; frame < 2; ++frame) {
-    const stdc::KeyframeId id = map.add_keyframe({frame, 0.1 * frame, stdc::Pose(), stdc::CameraMotion(),
-                                                  features, stdc::measure_keypoints(camera, {}, *features)});
+  for (int frame = 0; frame < 2 * maps; ++frame) {
+    const bool second = frame % 2 == 1;
+    const stdc::KeyframeId id =
+        map.add_keyframe({frame, 0.1 * frame, stdc::Pose(), stdc::CameraMotion(), features,
+                          stdc::measure_keypoints(camera, {}, *features), frame / 2});
     for (int i = 0; i < 3; ++i) {
-      if (frame == 0) map.add_landmark({0.1 * i, 0, 2}, id);
-      map.observe(id, i, {static_cast<std::uint32_t>(i)});
+      if (!second) map.add_landmark({0.1 * i, 0, 2}, id);
+      map.observe(id, i, {static_cast<std::uint32_t>(3 * (frame / 2) + i)});
     }
     map.update_covisibility(id);
+    if (second) map.tie({id.value - 1}, id);
   }
   std::ostringstream stream;
   stdc::write_map(stream, camera, map);
@@ -86,8 +89,10 @@ int main(int argc, char** argv) {
   }
   std::filesystem::create_directories(folder / "map_file");
   for (const bool patches : {false, true}) {
-    const std::string bytes = small_map(patches);
+    const std::string bytes = small_map(1, patches);
     write(folder / "map_file" / (patches ? "patches.map" : "plain.map"), {bytes.begin(), bytes.end()});
   }
+  const std::string atlas = small_map(3, false);
+  write(folder / "map_file/atlas.map", {atlas.begin(), atlas.end()});
   return 0;
 }

@@ -74,6 +74,40 @@ std::shared_ptr<const FrameFeatures> get_features(RecordReader& in, const Camera
   return std::make_shared<FrameFeatures>(camera, std::move(stored));
 }
 
+void put_relations(RecordWriter& out, const Keyframe& keyframe, const NewIds& ids) {
+  out.put(static_cast<std::int32_t>(ids.maps[keyframe.map]));
+  out.put(keyframe.parent.valid() ? ids.keyframes[keyframe.parent.value] : KeyframeId::kNone);
+  out.put(static_cast<std::uint32_t>(keyframe.covisible.size()));
+  for (const Covisible& c : keyframe.covisible) {
+    out.put(ids.keyframes[c.keyframe.value]);
+    out.put(static_cast<std::int32_t>(c.shared));
+  }
+  out.put(static_cast<std::uint32_t>(keyframe.loops.size()));
+  for (const KeyframeId tied : keyframe.loops) out.put(ids.keyframes[tied.value]);
+}
+
+void get_relations(RecordReader& in, Keyframe& keyframe) {
+  // No map is younger than a keyframe of it.
+  keyframe.map = in.get_number<std::int32_t>(0, static_cast<std::int32_t>(keyframe.id.value & 0x7FFFFFFFU));
+  keyframe.parent = {in.get<std::uint32_t>()};
+  in.check(!keyframe.parent.valid() || keyframe.parent < keyframe.id, "a parent is younger than its child");
+  const std::size_t covisible = in.get_count(8);
+  for (std::size_t k = 0; k < covisible; ++k) {
+    Covisible c;
+    c.keyframe = {in.get<std::uint32_t>()};
+    c.shared = in.get_number<std::int32_t>(1, std::numeric_limits<std::int32_t>::max());
+    in.check(c.keyframe != keyframe.id, "a keyframe is its own neighbour");
+    keyframe.covisible.push_back(c);
+  }
+  const std::size_t loops = in.get_count(4);
+  for (std::size_t k = 0; k < loops; ++k) {
+    const KeyframeId tied{in.get<std::uint32_t>()};
+    in.check(tied != keyframe.id, "a keyframe is tied to itself");
+    in.check(k == 0 || keyframe.loops.back() < tied, "a keyframe's ties are out of order");
+    keyframe.loops.push_back(tied);
+  }
+}
+
 void put_sights(RecordWriter& out, const Keyframe& keyframe, const NewIds& ids) {
   for (std::size_t i = 0; i < keyframe.landmarks.size(); ++i) {
     const LandmarkId landmark = keyframe.landmarks[i];
@@ -124,12 +158,7 @@ void put_keyframe(RecordWriter& out, const Keyframe& keyframe, const NewIds& ids
   for (const double value : keyframe.motion.twist) out.put(value);
   out.put(keyframe.motion.readout_time);
   out.put(keyframe.motion.last_row);
-  out.put(keyframe.parent.valid() ? ids.keyframes[keyframe.parent.value] : KeyframeId::kNone);
-  out.put(static_cast<std::uint32_t>(keyframe.covisible.size()));
-  for (const Covisible& c : keyframe.covisible) {
-    out.put(ids.keyframes[c.keyframe.value]);
-    out.put(static_cast<std::int32_t>(c.shared));
-  }
+  put_relations(out, keyframe, ids);
   put_features(out, *keyframe.features);
   put_sights(out, keyframe, ids);
 }
@@ -143,16 +172,7 @@ Keyframe get_keyframe(RecordReader& in, const Camera& camera, KeyframeId id) {
   for (double& value : keyframe.motion.twist) value = in.get_number<double>(-kFar, kFar);
   keyframe.motion.readout_time = in.get_number<double>(0, 10);
   keyframe.motion.last_row = in.get_number<double>(1e-6, kFarPixel);
-  keyframe.parent = {in.get<std::uint32_t>()};
-  in.check(!keyframe.parent.valid() || keyframe.parent < id, "a parent is younger than its child");
-  const std::size_t covisible = in.get_count(8);
-  for (std::size_t k = 0; k < covisible; ++k) {
-    Covisible c;
-    c.keyframe = {in.get<std::uint32_t>()};
-    c.shared = in.get_number<std::int32_t>(1, std::numeric_limits<std::int32_t>::max());
-    in.check(c.keyframe != id, "a keyframe is its own neighbour");
-    keyframe.covisible.push_back(c);
-  }
+  get_relations(in, keyframe);
   keyframe.features = get_features(in, camera);
   get_sights(in, keyframe);
   return keyframe;

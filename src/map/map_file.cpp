@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "map/connect_map.hpp"
 #include "map/keyframe_record.hpp"
 #include "map/record_stream.hpp"
 
@@ -73,9 +75,16 @@ Landmark get_landmark(RecordReader& in, LandmarkId id) {
 }
 
 /// Keyframes and landmarks in their order, without gaps. A keyframe that is gone has the number of the next
-/// one that is not (for `created_by`); a landmark that nobody sees has none.
+/// one that is not (for `created_by`); a landmark that nobody sees has none. Maps in the order of their
+/// roots; those that were joined to others have none.
 NewIds number_anew(const Map& map) {
   NewIds ids;
+  ids.maps.assign(map.map_count(), -1);
+  int maps = 0;
+  for (const KeyframeId id : map.keyframe_ids()) {
+    const int number = map.keyframe(id).map;
+    if (map.root(number) == id) ids.maps[number] = maps++;
+  }
   const auto keyframes = static_cast<std::uint32_t>(map.keyframe_count());
   std::uint32_t next = 0;
   for (std::uint32_t id = 0; id < map.keyframe_id_limit(); ++id) {
@@ -118,29 +127,6 @@ void read_header(RecordReader& in, const std::string& name) {
                 "use a newer program, or make the map again");
   }
   in.check(version == kMapFileVersion, "its version does not exist");
-}
-
-/// Notes the keyframes' sights on the landmarks' side, and checks what is said about others.
-void connect(const RecordReader& in, const std::vector<Keyframe>& keyframes,
-             std::vector<Landmark>& landmarks) {
-  for (const Keyframe& keyframe : keyframes) {
-    for (const Covisible& c : keyframe.covisible) {
-      in.check(c.keyframe.value < keyframes.size(), "a keyframe is missing");
-    }
-    for (std::size_t i = 0; i < keyframe.landmarks.size(); ++i) {
-      const LandmarkId id = keyframe.landmarks[i];
-      if (!id.valid()) continue;
-      in.check(id.value < landmarks.size(), "a landmark is missing");
-      auto& observations = landmarks[id.value].observations;
-      in.check(observations.empty() || observations.back().keyframe != keyframe.id,
-               "a keyframe sees a landmark twice");
-      observations.push_back({keyframe.id, static_cast<std::int32_t>(i)});
-    }
-  }
-  for (const Landmark& landmark : landmarks) {
-    in.check(!landmark.observations.empty(), "nobody sees a landmark");
-    in.check(landmark.created_by.value < keyframes.size(), "a keyframe is missing");
-  }
 }
 
 /// Brings what was written to the disk. False if that fails.
@@ -198,7 +184,7 @@ StoredMap read_map(std::istream& stream, const std::string& name) {
   in.check(in.get<std::uint32_t>() == keyframes.size(), "a keyframe is missing");
   in.expect_end();
   in.check(stream.peek() == std::istream::traits_type::eof(), "something follows its end");
-  connect(in, keyframes, landmarks);
+  connect_map(in, keyframes, landmarks);
   return {camera, Map(std::move(keyframes), std::move(landmarks))};
 }
 
