@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
 
 #include "core/error.hpp"
 #include "segmentation/random_weights.hpp"
@@ -11,19 +14,37 @@ namespace {
 
 constexpr std::size_t kDataBytes = 64;
 
+/// A file that is right, taken apart, so that an input costs no more than reading does.
+struct Parts {
+  std::map<std::string, std::string> metadata;
+  std::string entries, data;  ///< the header from its first tensor on; what follows the header
+};
+
+Parts take_apart() {
+  const stdc::testing::RandomWeights weights(false, {{2, 2}, {8, 8, 8}, 2, 2, 2, 2, 2});
+  const std::string bytes = weights.bytes();
+  std::uint64_t length = 0;
+  std::memcpy(&length, bytes.data(), sizeof length);
+  nlohmann::json header = nlohmann::json::parse(bytes.substr(sizeof length, length));
+  header.erase("__metadata__");
+  return {weights.metadata, header.dump().substr(1), bytes.substr(sizeof length + length)};
+}
+
+std::string with_length(const std::string& header) {
+  const std::uint64_t length = header.size();
+  return std::string(reinterpret_cast<const char*>(&length), sizeof length) + header;
+}
+
 std::string file_of(const std::string& input) {
-  static const stdc::testing::RandomWeights valid(false, {{2, 2}, {8, 8, 8}, 2, 2, 2, 2, 2});
-  if (!input.empty() && input[0] == 'H') {
-    const std::uint64_t length = input.size() - 1;
-    return std::string(reinterpret_cast<const char*>(&length), sizeof length) + input.substr(1) +
-           std::string(kDataBytes, '\0');
-  }
+  static const Parts valid = take_apart();
+  if (!input.empty() && input[0] == 'H') return with_length(input.substr(1)) + std::string(kDataBytes, '\0');
   const std::size_t middle = input.find('=');
   if (!input.empty() && input[0] == 'M' && middle != std::string::npos) {
-    stdc::testing::RandomWeights weights = valid;
-    weights.metadata[input.substr(1, middle - 1)] = input.substr(middle + 1);
+    auto metadata = valid.metadata;
+    metadata[input.substr(1, middle - 1)] = input.substr(middle + 1);
     try {
-      return weights.bytes();
+      return with_length("{\"__metadata__\":" + nlohmann::json(metadata).dump() + "," + valid.entries) +
+             valid.data;
     } catch (const nlohmann::json::exception&) {  // not UTF-8
       return {};
     }
@@ -38,6 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const stdc::SafetensorsFile file = stdc::testing::RandomWeights::file(bytes);
     for (const auto& [name, entry] : file.tensors()) {
+      if (size > 0 && data[0] == 'M') break;  // they are right, and many
       try {
         if (file.floats(name).size() * 2 > bytes.size()) std::abort();
       } catch (const stdc::Error&) {
