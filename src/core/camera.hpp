@@ -34,6 +34,7 @@ struct Camera {
 
   /// Throws Error naming `where` if a value is out of range or not finite.
   void validate(const std::string& where) const;
+  bool operator==(const Camera&) const = default;
 };
 
 }  // namespace stdc

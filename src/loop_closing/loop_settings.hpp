@@ -4,8 +4,10 @@
 
 namespace stdc {
 
-/// Settings of loop detection and verification.
+/// Settings of loop detection, verification and correction.
 struct LoopSettings {
+  bool active = true;
+  int keyframes_between = 10;
   double score_ratio = 0.15;
   int candidates = 3;
   int consistency = 2;
@@ -17,9 +19,15 @@ struct LoopSettings {
   double guided_radius = 6;
   int least_inliers = 40;
   double least_share = 0.2;
+  double fuse_radius = 4;
+  int strong_link = 100;
 
   template <typename Self, typename Visit>
   static void describe(Self& self, Visit&& visit) {
+    visit(Setting{"active", "", "Look for places seen before, close loops and merge maps"}, self.active);
+    visit(Setting{"keyframes_between", "count", "Keyframes after a closed loop before the next is looked for",
+                  0, 1000},
+          self.keyframes_between);
     visit(Setting{"score_ratio", "ratio",
                   "A place must look at least so much like the keyframe as its best neighbour does", 0, 1},
           self.score_ratio);
@@ -44,6 +52,11 @@ struct LoopSettings {
     visit(Setting{"least_inliers", "count", "Landmarks that must be found again in the end", 6, 1000},
           self.least_inliers);
     visit(Setting{"least_share", "ratio", "The same, of those that should be seen", 0, 1}, self.least_share);
+    visit(Setting{"fuse_radius", "px", "Search radius for landmarks that both ends of a loop see", 0.5, 50},
+          self.fuse_radius);
+    visit(Setting{"strong_link", "count",
+                  "Shared landmarks that make a link of the essential graph beside its tree", 15, 1000},
+          self.strong_link);
   }
 };
 

@@ -1,11 +1,12 @@
 #include "slam/pipeline.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "map/map_file.hpp"
+#include "slam/image_check.hpp"
 #include "tracking/keyframe_policy.hpp"
 #include "tracking/relocalisation.hpp"
 
@@ -16,8 +17,7 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
       settings_(settings),
       extractor_(settings.features),
       tracker_(camera, settings.tracking, settings.noise, settings.pose_optimisation),
-      mapper_(camera, settings.mapping, settings.noise, settings.bundle_adjustment,
-              settings.tracking.close_depth) {
+      back_end_(camera, settings) {
   if (segmenter) {
     semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
                                                   settings.propagation, std::move(segmenter));
@@ -25,7 +25,8 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
 }
 
 TrackingResult Pipeline::track(const RgbdImage& image) {
-  check(image);
+  check_image(image, camera_, next_frame_);
+  if (last_time_ && !(image.timestamp > *last_time_)) return skip(image.timestamp);
   const double cpu_start = thread_cpu_ms();
   Stopwatch total, watch;
   TrackingResult result;
@@ -36,13 +37,13 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   result.milliseconds.keyframe = watch.lap_ms() - result.milliseconds.wait;
   result.status = locate(frame);
   watch.lap_ms();
-  if (result.status == TrackingStatus::ok && wants_keyframe(frame)) {
-    make_keyframe(frame);
-    result.is_keyframe = true;
-  }
+  if (result.status == TrackingStatus::ok && wants_keyframe(frame)) make_keyframe(frame, active_map_);
+  result.is_keyframe = last_keyframe_frame_ == frame.index;
+  back_end_.go_on(frame.index);
   if (result.status == TrackingStatus::ok) {
     record(frame);
     result.cam_from_world = frame.cam_from_world;
+    result.map = active_map_;
   }
   result.milliseconds.keyframe += watch.lap_ms();
   result.milliseconds.prediction = tracker_.times().prediction;
@@ -57,12 +58,11 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
 }
 
 TrackingResult Pipeline::skip(double timestamp) {
-  check_time(timestamp);
   TrackingResult result;
   result.frame = next_frame_++;
   result.timestamp = timestamp;
   result.status = TrackingStatus::skipped;
-  last_time_ = timestamp;
+  if (!last_time_ || timestamp > *last_time_) last_time_ = timestamp;
   return result;
 }
 
@@ -98,125 +98,172 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
   if (settings_.system.report_keypoints) result.dynamic_mask = dynamic.mask;
 }
 
-/// The map comes back from the mapper at the frame that was fixed when it was given away, or when tracking
-/// has been lost and needs the whole map.
+/// The map comes back at the frame that was fixed when it was given away, or when tracking has been lost and
+/// needs the whole map.
 void Pipeline::take_in(TrackingResult& result) {
-  if (!in_flight_) return;
-  if (next_frame_ - 1 < in_flight_->due && tracker_.has_last()) return;
   Stopwatch watch;
-  worker_.wait();
+  const BackEndNews news = back_end_.take_in(next_frame_ - 1, !tracker_.has_last());
   result.milliseconds.wait = watch.lap_ms();
-  const MappingOutcome& outcome = in_flight_->outcome;
-  result.mapping = MappingReport{outcome.total_ms, outcome.bundle_ms,
-                                 outcome.bundle.keyframes + outcome.bundle.fixed_keyframes,
-                                 outcome.bundle.landmarks, outcome.bundle.observations};
-  in_flight_.reset();
-  tracker_.flush_counts(map_);
-  tracker_.follow(map_);
+  result.mapping = news.mapping;
+  result.loop = news.loop;
+  if (news.map_is_back) follow_map();
+}
+
+void Pipeline::follow_map() {
+  const Map& map = back_end_.map();
+  tracker_.flush_counts(back_end_.map());
+  tracker_.follow(map);
+  if (last_keyframe_.valid()) active_map_ = map.map_of(last_keyframe_);
 }
 
 TrackingStatus Pipeline::locate(TrackedFrame& frame) {
-  // Not map_.keyframe_count(): the map may be the mapper's at this time.
-  if (!last_keyframe_.valid()) {
+  if (tracker_.has_last()) {
+    if (back_end_.at_home()) refresh_local_map(tracker_.last().landmarks);
+    if (tracker_.track(frame, local_map_, extractor_.pyramid())) {
+      tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
+      return TrackingStatus::ok;
+    }
+    tracker_.forget();
+    return TrackingStatus::lost;
+  }
+  // Without a last frame the map is at home: see take_in.
+  if (back_end_.map().keyframe_count() == 0) {
     return initialise(frame) ? TrackingStatus::ok : TrackingStatus::initialising;
   }
-  bool tracked = false;
-  if (tracker_.has_last()) {
-    if (!in_flight_) refresh_local_map(tracker_.last().landmarks);
-    tracked = tracker_.track(frame, local_map_, extractor_.pyramid());
-  } else {
-    tracked = relocalise(frame);
-  }
-  if (tracked) {
-    tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
-    return TrackingStatus::ok;
-  }
-  tracker_.forget();
+  if (relocalise(frame) || start_over(frame)) return TrackingStatus::ok;
   return TrackingStatus::lost;
 }
 
-bool Pipeline::initialise(TrackedFrame& frame) {
+/// Whether a map could be started with a frame.
+bool Pipeline::shows_enough(const TrackedFrame& frame) const {
   int with_depth = 0;
   for (int i = 0; i < frame.features->size(); ++i) with_depth += frame.features->depth(i) > 0 ? 1 : 0;
-  if (with_depth < settings_.tracking.initial_landmarks) return false;
-  make_keyframe(frame);
+  return with_depth >= settings_.tracking.initial_landmarks;
+}
+
+/// Starts a map with this frame, if enough of it has depth.
+bool Pipeline::initialise(TrackedFrame& frame) {
+  if (settings_.system.localisation_only || !shows_enough(frame)) return false;
+  make_keyframe(frame, back_end_.map().map_count());
   frame.matches = frame.inliers = static_cast<int>(std::count_if(
       frame.landmarks.begin(), frame.landmarks.end(), [](LandmarkId id) { return id.valid(); }));
   return true;
 }
 
-/// Tries the latest keyframes, newest first.
+/// Lost for good: so many frames with enough to see showed no known place.
+bool Pipeline::start_over(TrackedFrame& frame) {
+  if (!shows_enough(frame)) return false;
+  if (++unknown_frames_ <= settings_.tracking.new_map_after) return false;
+  frame = TrackedFrame(camera_, frame.index, frame.timestamp, frame.features);
+  return initialise(frame);
+}
+
+/// Tries the latest keyframes, newest first, then places that look like the frame, in any map.
 bool Pipeline::relocalise(TrackedFrame& frame) {
-  std::vector<KeyframeId> keyframes = map_.keyframe_ids();
+  const Map& map = back_end_.map();
+  std::vector<KeyframeId> keyframes = map.keyframe_ids();
   std::reverse(keyframes.begin(), keyframes.end());
   const auto most = static_cast<std::size_t>(settings_.tracking.relocalisation_keyframes);
   if (keyframes.size() > most) keyframes.resize(most);
   constexpr int kLeastInliers = 15;  // of one keyframe; the local map must then give many more
   for (const KeyframeId keyframe : keyframes) {
-    const auto found = locate_by_keyframe(camera_, map_, keyframe, *frame.features, kLeastInliers,
+    const auto found = locate_by_keyframe(camera_, map, keyframe, *frame.features, kLeastInliers,
                                           settings_.tracking, settings_.noise, settings_.pose_optimisation);
-    if (!found) continue;
-    refresh_local_map(found->landmarks);
-    frame.cam_from_world = found->cam_from_world;
-    std::vector<FrameMatch> matches;
-    for (int i = 0; i < frame.features->size(); ++i) {
-      const int landmark = found->landmarks[i].valid() ? local_map_.find(found->landmarks[i]) : -1;
-      if (landmark >= 0) matches.push_back({i, landmark, local_map_.landmarks[landmark].position});
-    }
-    constexpr double kWider = 2.5;  // the pose is rougher than that of a tracked frame
-    if (tracker_.refine(frame, local_map_, extractor_.pyramid(), std::move(matches),
-                        kWider * settings_.tracking.local_map_radius,
-                        settings_.tracking.relocalisation_inliers)) {
-      return true;
-    }
+    if (found && settle(frame, keyframe, found->cam_from_world, found->landmarks)) return true;
+  }
+  for (const LoopCloser::FramePlace& place :
+       back_end_.places().locate(map, {*frame.features, frame.motion})) {
+    std::vector<LandmarkId> landmarks(frame.features->size());
+    for (const PlaceSight& s : place.pose.sights) landmarks[s.keypoint] = s.landmark;
+    if (settle(frame, place.keyframe, place.pose.cam_from_world, landmarks)) return true;
   }
   return false;
 }
 
-bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
-  if (in_flight_ || !last_keyframe_.valid()) return false;
-  return needs_keyframe(camera_, frame, local_map_, frame.index - last_keyframe_frame_, map_.keyframe_count(),
-                        settings_.tracking);
+/// A frame that was found again: tracking goes on from there if the local map agrees.
+bool Pipeline::settle(TrackedFrame& frame, KeyframeId near, const Pose& cam_from_world,
+                      const std::vector<LandmarkId>& landmarks) {
+  local_map_ = make_local_map(back_end_.map(), landmarks, near, settings_.tracking.local_keyframes);
+  frame.cam_from_world = cam_from_world;
+  std::vector<FrameMatch> matches;
+  for (int i = 0; i < frame.features->size(); ++i) {
+    const int landmark = landmarks[i].valid() ? local_map_.find(landmarks[i]) : -1;
+    if (landmark >= 0) matches.push_back({i, landmark, local_map_.landmarks[landmark].position});
+  }
+  constexpr double kWider = 2.5;  // the pose is rougher than that of a tracked frame
+  if (!tracker_.refine(frame, local_map_, extractor_.pyramid(), std::move(matches),
+                       kWider * settings_.tracking.local_map_radius,
+                       settings_.tracking.relocalisation_inliers)) {
+    return false;
+  }
+  last_keyframe_ = local_map_.reference;
+  active_map_ = back_end_.map().map_of(last_keyframe_);
+  unknown_frames_ = 0;
+  tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
+  return true;
 }
 
-void Pipeline::make_keyframe(TrackedFrame& frame) {
-  tracker_.flush_counts(map_);
-  last_keyframe_ = insert_keyframe(map_, camera_, settings_.noise, frame, settings_.tracking);
+bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
+  if (settings_.system.localisation_only || !back_end_.at_home() || back_end_.job_waits()) return false;
+  if (last_keyframe_frame_ == frame.index) return false;
+  return needs_keyframe(camera_, frame, local_map_, frame.index - last_keyframe_frame_,
+                        back_end_.map().keyframe_count(active_map_), settings_.tracking);
+}
+
+void Pipeline::make_keyframe(TrackedFrame& frame, int map_number) {
+  Map& map = back_end_.map();
+  tracker_.flush_counts(map);
+  last_keyframe_ = insert_keyframe(map, camera_, settings_.noise, frame, settings_.tracking, map_number);
   last_keyframe_frame_ = frame.index;
+  active_map_ = map_number;
+  unknown_frames_ = 0;
   refresh_local_map(frame.landmarks);
   tracker_.remember(frame, last_keyframe_, frame.cam_from_world);
-  in_flight_ = MappingInFlight{frame.index + settings_.system.mapping_latency, {}};
-  worker_.start([this, keyframe = last_keyframe_] { in_flight_->outcome = mapper_.process(map_, keyframe); });
-  if (settings_.system.mapping_latency > 0) return;
-  TrackingResult unused;
-  in_flight_->due = 0;
-  take_in(unused);
+  back_end_.map_keyframe(last_keyframe_, frame.index);
 }
 
 void Pipeline::refresh_local_map(const std::vector<LandmarkId>& seen) {
-  local_map_ = make_local_map(map_, seen, last_keyframe_, settings_.tracking.local_keyframes);
+  local_map_ = make_local_map(back_end_.map(), seen, last_keyframe_, settings_.tracking.local_keyframes);
 }
 
 void Pipeline::record(const TrackedFrame& frame) {
+  if (settings_.system.localisation_only) {
+    tracker_.drop_counts();
+    return;
+  }
   posed_.push_back({frame.index, frame.timestamp, local_map_.reference,
                     frame.cam_from_world * local_map_.reference_from_world.inverse()});
 }
 
 void Pipeline::finish() {
-  if (!in_flight_) return;
-  in_flight_->due = 0;
-  TrackingResult unused;
-  take_in(unused);
+  const int frame = next_frame_ - 1;
+  while (back_end_.busy()) {
+    back_end_.hurry();
+    if (back_end_.take_in(frame, true).map_is_back) follow_map();
+    back_end_.go_on(frame);
+  }
+}
+
+void Pipeline::load_map(const std::filesystem::path& path) {
+  if (next_frame_ > 0) throw Error(path.string(), "was given after the first frame", "load the map before");
+  StoredMap stored = stdc::load_map(path);
+  if (stored.camera != camera_) {
+    throw Error(path.string(), "was made with another camera",
+                "give the camera that 'stdc-slam map info' shows, or make the map again");
+  }
+  back_end_.adopt(std::move(stored.map));
+  first_own_keyframe_ = {static_cast<std::uint32_t>(back_end_.map().keyframe_id_limit())};
 }
 
 std::vector<FramePose> Pipeline::trajectory() const {
+  const Map& map = back_end_.map();
   std::vector<FramePose> poses;
   poses.reserve(posed_.size());
   for (const PosedFrame& posed : posed_) {
-    const Map::Anchor anchor = map_.resolve(posed.reference);
-    const Pose cam_from_world =
-        posed.frame_from_reference * anchor.cam_from_anchor * map_.keyframe(anchor.keyframe).cam_from_world;
-    poses.push_back({posed.frame, posed.timestamp, cam_from_world.inverse()});
+    const Map::Anchor anchor = map.resolve(posed.reference);
+    const Keyframe& keyframe = map.keyframe(anchor.keyframe);
+    const Pose cam_from_world = posed.frame_from_reference * anchor.cam_from_anchor * keyframe.cam_from_world;
+    poses.push_back({posed.frame, posed.timestamp, cam_from_world.inverse(), keyframe.map});
   }
   return poses;
 }
@@ -231,29 +278,6 @@ void Pipeline::describe_keypoints(const TrackedFrame& frame, TrackingResult& res
     result.keypoint_states.push_back(frame.outlier[i] != 0        ? KeypointState::outlier
                                      : frame.landmarks[i].valid() ? KeypointState::inlier
                                                                   : KeypointState::unmatched);
-  }
-}
-
-void Pipeline::check_time(double timestamp) const {
-  if (std::isfinite(timestamp) && (!last_time_ || timestamp > *last_time_)) return;
-  throw Error(fmt::format("frame {}", next_frame_),
-              fmt::format("its time {:.6f} is not later than that of the frame before", timestamp),
-              "give frames in order of time");
-}
-
-void Pipeline::check(const RgbdImage& image) const {
-  check_time(image.timestamp);
-  const std::string where = fmt::format("frame {}", next_frame_);
-  const cv::Size size(camera_.width, camera_.height);
-  if (image.colour.type() != CV_8UC1 && image.colour.type() != CV_8UC3) {
-    throw Error(where, "the colour image is neither 8-bit grey nor 8-bit BGR", "convert it");
-  }
-  if (!image.depth.empty() && image.depth.type() != CV_16UC1 && image.depth.type() != CV_32FC1) {
-    throw Error(where, "the depth image is neither 16-bit nor float", "convert it");
-  }
-  if (image.colour.size() != size || (!image.depth.empty() && image.depth.size() != size)) {
-    throw Error(where, fmt::format("the images are not {} x {} as the camera is", size.width, size.height),
-                "give the right camera, or scale image and calibration together");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -7,20 +8,17 @@
 #include "core/camera.hpp"
 #include "features/extractor.hpp"
 #include "map/map.hpp"
-#include "mapping/local_mapper.hpp"
+#include "slam/back_end.hpp"
 #include "slam/semantic_thread.hpp"
 #include "slam/settings.hpp"
 #include "slam/slam.hpp"
-#include "slam/worker.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracker.hpp"
 
 namespace stdc {
 
-/// The way of a frame through the system, and the logical time by which the mapper's work becomes visible:
-/// the keyframe made at frame k is mapped beside the tracker, which works on a copy of the local map and
-/// takes the result in at frame k + mapping_latency. So the map always belongs to one of the two, and threads
-/// never decide a result.
+/// The way of a frame through the system. Beside it the back end works on the map; while the map is away the
+/// tracker has a copy of what is around the camera.
 class Pipeline {
  public:
   /// `segmenter`: null for none.
@@ -28,10 +26,16 @@ class Pipeline {
 
   TrackingResult track(const RgbdImage& image);
   TrackingResult skip(double timestamp);
-  /// Waits for the mapper and takes its result in.
+  /// Waits for the back end and takes its results in.
   void finish();
+  /// Reads a map, before the first frame.
+  void load_map(const std::filesystem::path& path);
+
   std::vector<FramePose> trajectory() const;
-  const Map& map() const { return map_; }
+  const Camera& camera() const { return camera_; }
+  /// After finish().
+  const Map& map() const { return back_end_.map(); }
+  KeyframeId first_own_keyframe() const { return first_own_keyframe_; }
 
  private:
   struct PosedFrame {
@@ -40,40 +44,39 @@ class Pipeline {
     KeyframeId reference;
     Pose frame_from_reference;
   };
-  struct MappingInFlight {
-    int due = 0;  ///< frame at which it is taken in
-    MappingOutcome outcome;
-  };
 
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
   void reject_dynamic(TrackingResult& result);
   void take_in(TrackingResult& result);
+  void follow_map();
   TrackingStatus locate(TrackedFrame& frame);
+  bool shows_enough(const TrackedFrame& frame) const;
   bool initialise(TrackedFrame& frame);
   bool relocalise(TrackedFrame& frame);
+  bool settle(TrackedFrame& frame, KeyframeId near, const Pose& cam_from_world,
+              const std::vector<LandmarkId>& landmarks);
+  bool start_over(TrackedFrame& frame);
   bool wants_keyframe(const TrackedFrame& frame) const;
-  void make_keyframe(TrackedFrame& frame);
+  void make_keyframe(TrackedFrame& frame, int map_number);
   void refresh_local_map(const std::vector<LandmarkId>& seen);
   void record(const TrackedFrame& frame);
   void describe_keypoints(const TrackedFrame& frame, TrackingResult& result) const;
-  void check(const RgbdImage& image) const;
-  void check_time(double timestamp) const;
 
   Camera camera_;
   Settings settings_;
   FeatureExtractor extractor_;
   std::unique_ptr<SemanticThread> semantics_;  ///< null: everything counts as static
   Tracker tracker_;
-  LocalMapper mapper_;
-  Map map_;
   LocalMap local_map_;
   int next_frame_ = 0;
   std::optional<double> last_time_;
-  int last_keyframe_frame_ = 0;
-  KeyframeId last_keyframe_;
+  int last_keyframe_frame_ = -1;
+  KeyframeId last_keyframe_;  ///< or the one near which tracking was found again
+  int active_map_ = -1;       ///< number of the map that is tracked in
+  int unknown_frames_ = 0;    ///< since tracking was lost, that showed no known place
+  KeyframeId first_own_keyframe_{0};
   std::vector<PosedFrame> posed_;
-  std::optional<MappingInFlight> in_flight_;
-  Worker worker_;  ///< last, so that it ends before what it works on
+  BackEnd back_end_;
 };
 
 }  // namespace stdc

@@ -2,8 +2,10 @@
 
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/noise_settings.hpp"
+#include "estimation/pose_graph.hpp"
 #include "estimation/pose_optimisation.hpp"
 #include "features/feature_settings.hpp"
+#include "loop_closing/loop_settings.hpp"
 #include "mapping/mapping_settings.hpp"
 #include "segmentation/mask_degradation.hpp"
 #include "segmentation/network_settings.hpp"
@@ -17,6 +19,8 @@ namespace stdc {
 /// Settings of the system as a whole.
 struct SystemSettings {
   int mapping_latency = 4;
+  int loop_latency = 15;
+  bool localisation_only = false;
   bool report_keypoints = false;
 
   template <typename Self, typename Visit>
@@ -27,6 +31,11 @@ struct SystemSettings {
             "A keyframe's mapping runs beside tracking and is taken in after this many frames; 0: at once", 0,
             100},
         self.mapping_latency);
+    visit(Setting{"loop_latency", "frames",
+                  "A loop's correction runs beside tracking and is taken in after this many frames", 0, 1000},
+          self.loop_latency);
+    visit(Setting{"localisation_only", "", "Track in the map that was loaded, and leave it as it is"},
+          self.localisation_only);
     visit(Setting{"report_keypoints", "", "Return every frame's keypoints, for drawing"},
           self.report_keypoints);
   }
@@ -45,6 +54,9 @@ struct Settings {
   PoseOptimisationSettings pose_optimisation;
   MappingSettings mapping;
   BundleSettings bundle_adjustment;
+  LoopSettings loop_closing;
+  PoseGraphSettings pose_graph;
+  BundleSettings full_bundle_adjustment{10, 10, 1e-4};
   SystemSettings system;
 
   /// Calls visit("section", section_struct) for each section.
@@ -61,6 +73,9 @@ struct Settings {
     visit("pose_optimisation", self.pose_optimisation);
     visit("mapping", self.mapping);
     visit("bundle_adjustment", self.bundle_adjustment);
+    visit("loop_closing", self.loop_closing);
+    visit("pose_graph", self.pose_graph);
+    visit("full_bundle_adjustment", self.full_bundle_adjustment);
     visit("system", self.system);
   }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "map/map_file.hpp"
 #include "slam/pipeline.hpp"
 
 namespace stdc {
@@ -33,6 +34,12 @@ Slam::~Slam() = default;
 TrackingResult Slam::track(const RgbdImage& image) { return implementation_->pipeline.track(image); }
 TrackingResult Slam::skip(double timestamp) { return implementation_->pipeline.skip(timestamp); }
 void Slam::finish() { implementation_->pipeline.finish(); }
+void Slam::load_map(const std::filesystem::path& path) { implementation_->pipeline.load_map(path); }
+void Slam::save_map(const std::filesystem::path& path) {
+  implementation_->pipeline.finish();
+  stdc::save_map(path, implementation_->pipeline.camera(), implementation_->pipeline.map());
+}
+
 std::vector<FramePose> Slam::trajectory() const {
   implementation_->pipeline.finish();
   return implementation_->pipeline.trajectory();
@@ -43,10 +50,19 @@ std::vector<FramePose> Slam::keyframe_trajectory() const {
   const Map& map = implementation_->pipeline.map();
   std::vector<FramePose> poses;
   for (const KeyframeId id : map.keyframe_ids()) {
+    if (id < implementation_->pipeline.first_own_keyframe()) continue;
     const Keyframe& keyframe = map.keyframe(id);
-    poses.push_back({keyframe.frame, keyframe.timestamp, keyframe.cam_from_world.inverse()});
+    poses.push_back({keyframe.frame, keyframe.timestamp, keyframe.cam_from_world.inverse(), keyframe.map});
   }
   return poses;
+}
+
+int Slam::maps() const {
+  implementation_->pipeline.finish();
+  const Map& map = implementation_->pipeline.map();
+  int maps = 0;
+  for (int number = 0; number < map.map_count(); ++number) maps += map.root(number).valid() ? 1 : 0;
+  return maps;
 }
 
 int Slam::keyframes() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ enum class TrackingStatus {
   initialising,  ///< no map yet: too few keypoints with depth so far
   ok,            ///< it has a pose
   lost,          ///< it has none; tracking goes on trying
-  skipped,       ///< not processed (unreadable image)
+  skipped,       ///< not processed: unreadable image, or a time that is not later than the last
 };
 
 /// What became of one keypoint of a frame; for drawing.
@@ -43,6 +44,18 @@ struct MappingReport {
   double total_ms = 0;              ///< wall, of the mapping thread
   double bundle_adjustment_ms = 0;  ///< wall, of which local bundle adjustment
   int bundle_keyframes = 0, bundle_landmarks = 0, bundle_observations = 0;
+  double place_recognition_ms = 0;  ///< wall, beside total_ms: looking for a place seen before
+};
+
+/// A loop that was closed, reported with the frame that took it in.
+struct LoopReport {
+  bool merged = false;               ///< the place was in another map: the two are one now
+  int frame = 0, matched_frame = 0;  ///< input frames of the keyframes that see the same place
+  int keyframes = 0;                 ///< of the map that was corrected
+  int fused = 0;                     ///< landmarks that turned out to be one
+  double drift = 0;                  ///< [m] by which the keyframe was off; of no meaning if merged
+  double detection_ms = 0;           ///< wall, of the mapping thread
+  double correction_ms = 0;          ///< wall, of the mapping thread
 };
 
 /// What the semantic thread found out about a frame.
@@ -61,13 +74,15 @@ struct TrackingResult {
   int frame = 0;  ///< counts calls of track() and skip()
   double timestamp = 0;
   TrackingStatus status = TrackingStatus::initialising;
-  std::optional<Pose> cam_from_world;  ///< as known now; there if status is ok. World: the first camera
+  std::optional<Pose> cam_from_world;  ///< as known now; there if status is ok. World: the map's first camera
+  int map = -1;                        ///< number of the map that the pose is in; -1: none
   int keypoints_high = 0, keypoints_low = 0;  ///< by quality
   int matches = 0;                            ///< keypoints matched to landmarks before the last optimisation
   int inliers = 0;                            ///< of which it accepted
   bool is_keyframe = false;
   StageTimes milliseconds;
   std::optional<MappingReport> mapping;
+  std::optional<LoopReport> loop;
   std::optional<SegmentationReport> segmentation;  ///< if there is a segmenter
   std::vector<Keypoint> keypoints;                 ///< raw pixels; filled if SystemSettings.report_keypoints
   std::vector<KeypointState> keypoint_states;      ///< same length
@@ -79,6 +94,7 @@ struct FramePose {
   int frame = 0;
   double timestamp = 0;
   Pose world_from_cam;
+  int map = 0;  ///< number of its map; poses of different maps are in different coordinates
 };
 
 /// RGB-D SLAM: frames in, poses out.
@@ -89,6 +105,10 @@ struct FramePose {
 ///     auto trajectory = slam.trajectory();
 ///
 /// The same frames and settings give the same results, however fast the machine is and whatever else it does.
+///
+/// When tracking is lost for good another map is started; when they show the same place the two become one,
+/// in the coordinates of the older. A map can be saved, and loaded by a later session, which goes on with it
+/// or, with `system.localisation_only`, only finds itself in it.
 class Slam {
  public:
   /// @param segmenter  finds what moves by itself; null: nothing does. See make_segmenter.hpp.
@@ -98,9 +118,14 @@ class Slam {
   Slam(const Slam&) = delete;
   Slam& operator=(const Slam&) = delete;
 
-  /// Processes the next frame. Faults in the frame (black, no depth, blurred) end in a status, never in an
-  /// exception. Throws Error only for what no camera gives: a wrong image size or type, or a timestamp that
-  /// is not later than the last.
+  /// Reads a map, before the first frame. Throws Error if the file is none, or made with another camera.
+  void load_map(const std::filesystem::path& path);
+  /// Writes the map, whole or not at all. track() may go on afterwards. Throws Error if it cannot be written.
+  void save_map(const std::filesystem::path& path);
+
+  /// Processes the next frame. Faults in the frame (black, no depth, blurred, a time that is not later than
+  /// the last) end in a status, never in an exception. Throws Error only for what no camera gives: a wrong
+  /// image size or type, or a time that is no number.
   TrackingResult track(const RgbdImage& image);
   /// Counts a frame that could not be read: its status is `skipped`.
   TrackingResult skip(double timestamp);
@@ -108,8 +133,13 @@ class Slam {
   void finish();
 
   /// Poses of all tracked frames in order of time, each relative to its reference keyframe as now optimised.
+  /// With `system.localisation_only` there are none: those of the results are final, and a session may be
+  /// long.
   std::vector<FramePose> trajectory() const;
+  /// The same of the keyframes that this session has made.
   std::vector<FramePose> keyframe_trajectory() const;
+  /// Maps that were not joined to others.
+  int maps() const;
   int keyframes() const;
   int landmarks() const;
   /// Positions of all landmarks [m, world]; for drawing.

@@ -176,7 +176,6 @@ TEST(Slam, RefusesWhatNoCameraGives) {
   Slam slam(footage.camera, small_settings());
   RgbdImage image = footage.frames[0].image;
   slam.track(image);
-  EXPECT_THROW(slam.track(image), Error) << "the same time twice";
   image.timestamp = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(slam.track(image), Error);
   image.timestamp = 1e6;

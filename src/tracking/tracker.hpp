@@ -46,6 +46,8 @@ class Tracker {
   void follow(const Map& map);
   /// Gives the map the counts of landmarks visible and found since the last call.
   void flush_counts(Map& map);
+  /// Or drops them: the map is to stay as it is.
+  void drop_counts() { counts_.clear(); }
 
   const TrackerTimes& times() const { return times_; }
 

@@ -16,6 +16,7 @@ struct TrackingSettings {
   int minimum_inliers = 15;
   int relocalisation_keyframes = 20;
   int relocalisation_inliers = 30;
+  int new_map_after = 30;
   double close_depth = 3.2;
   int close_tracked_low = 100;
   int close_untracked_high = 70;
@@ -53,6 +54,9 @@ struct TrackingSettings {
     visit(
         Setting{"relocalisation_inliers", "count", "Inliers that tracking needs to be found again", 3, 1000},
         self.relocalisation_inliers);
+    visit(Setting{"new_map_after", "frames",
+                  "Another map is started after so many frames that show no known place", 0, 100000},
+          self.new_map_after);
     visit(Setting{"close_depth", "m", "A point nearer than this is 'close': its depth can be relied upon",
                   0.1, 100},
           self.close_depth);

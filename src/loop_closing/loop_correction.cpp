@@ -1,0 +1,182 @@
+#include "loop_closing/loop_correction.hpp"
+
+#include <algorithm>
+
+#include "loop_closing/essential_graph.hpp"
+#include "map/fuse_landmark.hpp"
+#include "map/landmark_alignment.hpp"
+#include "map/map_bundle.hpp"
+
+namespace stdc {
+namespace {
+
+/// Keyframes by id, for asking whether one of them is meant.
+class KeyframeSet {
+ public:
+  explicit KeyframeSet(const Map& map) : in_(map.keyframe_id_limit(), 0) {}
+  void add(KeyframeId id) { in_[id.value] = 1; }
+  bool has(KeyframeId id) const { return in_[id.value] != 0; }
+
+ private:
+  std::vector<std::uint8_t> in_;
+};
+
+/// The two ends of a loop.
+struct Ends {
+  std::vector<KeyframeId> window;              ///< the keyframe and its neighbours, which are moved
+  std::vector<KeyframeId> place;               ///< the matched keyframe and its neighbours
+  std::vector<LandmarkId> of_place;            ///< landmarks that those see
+  KeyframeSet sees_place;                      ///< keyframes that see any of these
+  std::vector<std::vector<KeyframeId>> known;  ///< per keyframe of the window: its neighbours, by id
+};
+
+std::vector<KeyframeId> neighbours_by_id(const Keyframe& keyframe) {
+  std::vector<KeyframeId> ids;
+  for (const Covisible& c : keyframe.covisible) ids.push_back(c.keyframe);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+Ends find_ends(const Map& map, const VerifiedLoop& loop, int window) {
+  Ends ends{{}, place_window(map, loop.matched, window), {}, KeyframeSet(map), {}};
+  ends.of_place = landmarks_of(map, ends.place);
+  for (const LandmarkId id : ends.of_place) {
+    for (const Observation& o : map.landmark(id).observations) ends.sees_place.add(o.keyframe);
+  }
+  for (const PlaceSight& s : loop.sights) {
+    for (const Observation& o : map.landmark(s.landmark).observations) ends.sees_place.add(o.keyframe);
+  }
+  ends.window.push_back(loop.current);
+  for (const Covisible& c : map.keyframe(loop.current).covisible) {
+    if (!ends.sees_place.has(c.keyframe)) ends.window.push_back(c.keyframe);
+  }
+  for (const KeyframeId id : ends.window) ends.known.push_back(neighbours_by_id(map.keyframe(id)));
+  return ends;
+}
+
+/// Brings the younger of two maps to where it fits the older one. `loop.cam_from_world` is in the coordinates
+/// of the place's map.
+void join_maps(Map& map, const VerifiedLoop& loop) {
+  const Keyframe& current = map.keyframe(loop.current);
+  const int of_current = current.map, of_place = map.keyframe(loop.matched).map;
+  const bool current_is_younger = of_current > of_place;
+  const int younger = std::max(of_current, of_place), older = std::min(of_current, of_place);
+  const Pose place_from_current = loop.cam_from_world.inverse() * current.cam_from_world;
+  const std::vector<KeyframeId> moved = map.keyframe_ids(younger);
+  move_rigidly(map, moved, landmarks_of(map, moved),
+               current_is_younger ? place_from_current : place_from_current.inverse());
+  map.join(younger, older);
+}
+
+/// The window goes to where the place puts it; so do the landmarks that it alone sees. Returns the keyframes
+/// that carry these from now on.
+LandmarkCarriers move_window(Map& map, const Ends& ends, const Pose& corrected_from_world) {
+  LandmarkCarriers carriers(map.landmark_id_limit());
+  std::vector<LandmarkId> moved;
+  for (const KeyframeId id : ends.window) {
+    for (const LandmarkId landmark : map.keyframe(id).landmarks) {
+      if (!landmark.valid() || carriers[landmark.value].valid()) continue;
+      carriers[landmark.value] = id;
+      moved.push_back(landmark);
+    }
+  }
+  std::sort(moved.begin(), moved.end());
+  std::erase_if(moved, [&](LandmarkId id) {
+    const bool of_place = std::binary_search(ends.of_place.begin(), ends.of_place.end(), id);
+    if (of_place) carriers[id.value] = {};
+    return of_place;
+  });
+  move_rigidly(map, ends.window, moved, corrected_from_world);
+  return carriers;
+}
+
+/// What the keyframe was verified by: its keypoints see the place's landmarks.
+int take_sights(const LoopTools& tools, Map& map, const VerifiedLoop& loop) {
+  int taken = 0;
+  for (const PlaceSight& s : loop.sights) {
+    if (!map.has(s.landmark)) continue;
+    const LandmarkId standing = map.keyframe(loop.current).landmarks[s.keypoint];
+    if (standing == s.landmark) continue;
+    if (standing.valid()) {
+      merge_landmarks(map, standing, s.landmark, tools.camera, tools.noise);
+    } else if (map.observe(loop.current, s.keypoint, s.landmark)) {
+      align_observation(map, tools.camera, tools.noise, s.landmark, loop.current);
+    }
+    ++taken;
+  }
+  return taken;
+}
+
+/// Both ends see the same landmarks: those of the place stay. Returns the links across the loop.
+std::vector<LoopLink> fuse_ends(const LoopTools& tools, Map& map, const VerifiedLoop& loop, const Ends& ends,
+                                int& fused) {
+  const FuseSearch search{tools.settings.fuse_radius, tools.settings.match_distance, true};
+  fused += take_sights(tools, map, loop);
+  for (const KeyframeId keyframe : ends.window) {
+    for (const LandmarkId landmark : ends.of_place) {
+      if (map.has(landmark))
+        fused += fuse_landmark(map, keyframe, landmark, tools.camera, tools.noise, search) ? 1 : 0;
+    }
+  }
+  std::vector<LoopLink> links{{loop.current, loop.matched}};
+  for (const LandmarkId landmark : landmarks_of(map, ends.window)) map.refresh(landmark);
+  for (std::size_t i = 0; i < ends.window.size(); ++i) {
+    map.update_covisibility(ends.window[i]);
+    for (const KeyframeId other : neighbours_by_id(map.keyframe(ends.window[i]))) {
+      const auto& known = ends.known[i];
+      if (!ends.sees_place.has(other) || std::binary_search(known.begin(), known.end(), other)) continue;
+      links.emplace_back(ends.window[i], other);
+    }
+  }
+  map.tie(loop.current, loop.matched);
+  return links;
+}
+
+/// Adjusts both ends of a seam together. Returns the keyframes that it may have moved.
+std::vector<KeyframeId> weld(const LoopTools& tools, Map& map, const Ends& ends) {
+  std::vector<KeyframeId> moving = ends.window;
+  for (const KeyframeId id : ends.place) {
+    if (std::find(moving.begin(), moving.end(), id) == moving.end()) moving.push_back(id);
+  }
+  constexpr int kFixed = 20;
+  MapBundle bundle = make_map_bundle(map, moving, other_observers(map, moving, kFixed));
+  const BundleResult result = bundle_adjust(tools.camera, bundle.problem, tools.noise, tools.bundle);
+  apply_bundle(map, bundle, result);
+  return moving;
+}
+
+}  // namespace
+
+LoopCorrection close_loop(const LoopTools& tools, Map& map, const VerifiedLoop& loop) {
+  LoopCorrection correction;
+  correction.merged = map.keyframe(loop.current).map != map.keyframe(loop.matched).map;
+  correction.drift =
+      (map.keyframe(loop.current).cam_from_world.centre() - loop.cam_from_world.centre()).norm();
+  Pose corrected_from_world;
+  if (correction.merged) {
+    join_maps(map, loop);
+  } else {
+    corrected_from_world = loop.cam_from_world.inverse() * map.keyframe(loop.current).cam_from_world;
+  }
+  const int number = map.keyframe(loop.current).map;
+  const Ends ends = find_ends(map, loop, tools.settings.window);
+  LoopEnds known{keyframe_poses(map), {}, {}};
+  const LandmarkCarriers carriers = move_window(map, ends, corrected_from_world);
+  known.links = fuse_ends(tools, map, loop, ends, correction.fused);
+  const KeyframePoses corrected = keyframe_poses(map);
+  std::vector<LandmarkId> carried = landmarks_of(map, map.keyframe_ids(number));
+  if (correction.merged) {
+    known.fixed = weld(tools, map, ends);
+    // The weld has placed its landmarks itself.
+    const std::vector<LandmarkId> welded = landmarks_of(map, known.fixed);
+    carried = landmarks_of(map, map.keyframe_ids(number));
+    std::erase_if(carried,
+                  [&](LandmarkId id) { return std::binary_search(welded.begin(), welded.end(), id); });
+  }
+  optimise_essential_graph(map, number, known, tools.graph, tools.settings);
+  carry_landmarks(map, carried, corrected, carriers);
+  correction.keyframes = map.keyframe_count(number);
+  return correction;
+}
+
+}  // namespace stdc
