@@ -9,6 +9,7 @@ namespace stdc::app {
 void add_evaluate_command(CLI::App& app);
 void add_ablation_command(CLI::App& app);
 void add_features_command(CLI::App& app);
+void add_map_command(CLI::App& app);
 void add_places_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_run_command(CLI::App& app);

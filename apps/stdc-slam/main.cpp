@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   stdc::app::add_evaluate_command(app);
   stdc::app::add_ablation_command(app);
   stdc::app::add_features_command(app);
+  stdc::app::add_map_command(app);
   stdc::app::add_places_command(app);
   stdc::app::add_render_command(app);
   stdc::app::add_settings_command(app);

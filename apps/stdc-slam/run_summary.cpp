@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/text_file.hpp"
+#include "camera_json.hpp"
 #include "score_report.hpp"
 
 namespace stdc::app {
@@ -32,19 +32,6 @@ Json settings_to_json(const Settings& settings) {
     });
   });
   return all;
-}
-
-/// "key: value" lines as an object of numbers.
-Json camera_to_json(const std::string& text) {
-  Json camera;
-  LineReader lines(text);
-  std::string_view line;
-  while (lines.next(line)) {
-    const std::size_t colon = line.find(": ");
-    const std::string_view value = line.substr(colon + 2);
-    camera[std::string(line.substr(0, colon))] = parse_number(value).value_or(0);
-  }
-  return camera;
 }
 
 double coverage(const StatusCounts& counts) {
