@@ -9,31 +9,36 @@
 
 namespace stdc::testing {
 
-/// A hundred small frames of a desk, rendered once for all tests.
+/// Small frames, rendered once for all tests.
 struct Footage {
   Camera camera;
   std::vector<RenderedFrame> frames;
 
+  /// A hundred frames, 1/30 s apart.
   static const Footage& of_a_desk() {
-    static const Footage footage;  // rendering takes seconds
+    static const Footage footage(Preset::static_desk, 0, 1, 100);  // rendering takes seconds
+    return footage;
+  }
+  /// A walk through a quarter of a room: 120 frames, 1/15 s apart.
+  static const Footage& of_a_room() {
+    static const Footage footage(Preset::static_room, 250, 2, 120);
     return footage;
   }
 
  private:
-  Footage() {
+  Footage(Preset preset, int first, int step, int count) {
     camera = default_render_camera();
     camera.width = 320;
     camera.height = 240;
     for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *value *= 0.5;
     RenderSettings settings;
     settings.camera = camera;
-    const RenderedSequence sequence(Preset::static_desk, settings);
-    constexpr int kFrames = 100;
-    frames.resize(kFrames);
+    const RenderedSequence sequence(preset, settings);
+    frames.resize(count);
     std::vector<std::thread> threads;
     for (int start = 0; start < 2; ++start) {
       threads.emplace_back([&, start] {
-        for (int i = start; i < kFrames; i += 2) frames[i] = sequence.render(i);
+        for (int i = start; i < count; i += 2) frames[i] = sequence.render(first + i * step);
       });
     }
     for (std::thread& thread : threads) thread.join();
