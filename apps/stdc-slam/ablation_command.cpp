@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "evaluation/trajectory_error.hpp"
 #include "output_folder.hpp"
+#include "run_trajectories.hpp"
 #include "settings_options.hpp"
 #include "track_frames.hpp"
 
@@ -59,10 +60,10 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
                {colour_mode(settings), false, options.quiet, fmt::format("{}, {}", input.name, column.title)},
                interrupts, slam, record, nullptr);
   AblationCell cell;
-  cell.coverage = static_cast<double>(record.counts().ok) / std::max(1, record.counts().total());
+  const Trajectory estimate = by_map(slam.trajectory(), {}).frames;
+  cell.coverage = static_cast<double>(estimate.size()) / std::max(1, record.counts().total());
   cell.frame_ms = record.stage(&StageTimes::total).median;
   try {
-    const Trajectory estimate = to_trajectory(slam.trajectory());
     cell.ate_rmse = score_trajectory(*input.truth, estimate).ate.rmse;
   } catch (const Error&) {
     // Too few poses to be scored; the coverage says so.

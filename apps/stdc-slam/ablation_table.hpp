@@ -9,7 +9,7 @@ namespace stdc::app {
 /// The result of one sequence under one column's settings.
 struct AblationCell {
   std::optional<double> ate_rmse;  ///< [m]; nothing if the run could not be scored
-  double coverage = 0;             ///< share of the frames that have a pose
+  double coverage = 0;             ///< share of the frames that have a pose in the map that holds most
   double frame_ms = 0;             ///< median wall milliseconds of the tracking thread
 };
 

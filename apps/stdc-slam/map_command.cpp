@@ -33,6 +33,7 @@ void export_map(const Options& options) {
   for (int number = 0; number < stored.map.map_count(); ++number) {
     output.write(file_of_map("keyframes", number), format_trajectory(keyframes_of(stored.map, number)));
   }
+  output.drop_older("keyframes-map-");
   output.commit();
   if (options.quiet) return;
   fmt::print("{} landmarks, {} keyframes of {} {}: {}\n", stored.map.landmark_count(),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -82,9 +83,31 @@ void OutputFolder::commit() {
       throw Error((folder_ / name).string(), fmt::format("cannot be replaced ({})", failed.message()), kMend);
     }
   }
+  remove_dropped();
   std::error_code ignored;
   fs::remove_all(hidden_, ignored);
   hidden_.clear();
+}
+
+void OutputFolder::remove_dropped() noexcept {
+  constexpr std::string_view kEnding = ".txt";
+  const auto is_dropped = [&](std::string_view name) {
+    return std::any_of(dropped_.begin(), dropped_.end(), [&](const std::string& stem) {
+      if (name.size() <= stem.size() + kEnding.size() || !name.starts_with(stem) || !name.ends_with(kEnding))
+        return false;
+      const std::string_view number = name.substr(stem.size(), name.size() - stem.size() - kEnding.size());
+      return number.find_first_not_of("0123456789") == std::string_view::npos;
+    });
+  };
+  std::error_code ignored;
+  std::vector<fs::path> old;
+  for (fs::directory_iterator entry(folder_, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    const bool written = std::find(names_.begin(), names_.end(), name) != names_.end();
+    if (!written && is_dropped(name)) old.push_back(entry->path());
+  }
+  for (const fs::path& path : old) fs::remove(path, ignored);
 }
 
 }  // namespace stdc::app

@@ -22,6 +22,9 @@ class OutputFolder {
   /// Writes one file; `name` has no folders. Throws Error, for instance if the disk is full.
   void write(const std::string& name, std::string_view content);
   void write(const std::string& name, std::span<const std::uint8_t> content);
+  /// commit() will also remove older files of the folder named `stem`N.txt, N a number, that were not written
+  /// now: they are of another run, which had more of them.
+  void drop_older(const std::string& stem) { dropped_.push_back(stem); }
   /// Moves all files to their places, in the order of writing. Throws Error.
   void commit();
 
@@ -29,11 +32,13 @@ class OutputFolder {
 
  private:
   void remove_what_was_made() noexcept;
+  void remove_dropped() noexcept;
 
   std::filesystem::path folder_;
   std::filesystem::path hidden_;
   std::vector<std::filesystem::path> made_;  ///< folders that were not there before, outermost first
   std::vector<std::string> names_;
+  std::vector<std::string> dropped_;  ///< stems
 };
 
 }  // namespace stdc::app

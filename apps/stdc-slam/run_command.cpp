@@ -16,16 +16,26 @@ or JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. The camera is taken from 
 else from --camera, else from the folder's name where that holds freiburg1, freiburg2 or freiburg3.
 
 Written to the output folder, all at the end or nothing:
-  trajectory.txt  "timestamp tx ty tz qx qy qz qw" of every frame that has a pose; world = first camera
-  keyframes.txt   the same of the keyframes
-  frames.csv      status, keypoints, matches, inliers and milliseconds per stage of every frame
-  summary.json    coverage, times, memory, scores, camera, settings, version
+  trajectory.txt  "timestamp tx ty tz qx qy qz qw" of every frame that has a pose; world = first camera of the
+                  map. Where tracking was lost for good another map was started: then those of the map that
+                  holds most of them
+  trajectory-map-N.txt  the frames of each other map that was not joined to it, in coordinates of its own
+  keyframes.txt   the same as trajectory.txt of the keyframes
+  frames.csv      status, map at the time, keypoints, matches, inliers, milliseconds per stage and loops of
+                  every frame
+  summary.json    coverage (share of the frames that are in trajectory.txt), maps, loops, times, memory, scores,
+                  camera, settings, version
+A map saved by --save-map holds all maps. --load-map goes on with it: the first frame that sees a mapped place
+joins it. With --localisation-only nothing is added to it, and a run may be as long as it likes.
 
 Examples:
   stdc-slam run rgbd_dataset_freiburg1_xyz --output results
   stdc-slam run my-sequence --camera my-camera.yaml --output results --frames 100:400
   stdc-slam run my-sequence --output results --set features.keypoints=2000 --selection orb-slam3
   stdc-slam run my-sequence --output results --segmentation network --realtime
+  stdc-slam run my-sequence --output results --save-map office.map
+  stdc-slam run second-visit --output results --load-map office.map --save-map office.map
+  stdc-slam run third-visit --output results --load-map office.map --localisation-only
   stdc-slam run my-sequence --output results --debug-images pictures --debug-every 30)";
 
 void add_options(CLI::App& command, RunOptions& options) {
@@ -34,6 +44,10 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("--camera", options.camera, "Camera file, if the sequence has none");
   add_settings_options(command, options.settings);
   add_segmentation_options(command, options.segmentation);
+  command.add_option("--load-map", options.load_map, "Map of an earlier run to start from");
+  command.add_option("--save-map", options.save_map, "File for the map; written when all went well");
+  command.add_flag("--localisation-only", options.localisation_only,
+                   "Only find the camera in the loaded map, and leave that as it is");
   command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
   command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
   command

@@ -81,6 +81,21 @@ TEST(OutputFolder, KeepsWhatWasThere) {
   EXPECT_EQ(content(folder / "out/mine.txt"), "mine");
 }
 
+TEST(OutputFolder, DropsWhatAnOlderRunHadMoreOf) {
+  const TestFolder folder;
+  for (const char* name : {"map-1.txt", "map-2.txt", "map-.txt", "map-2b.txt", "map-3.csv", "my-map-1.txt"}) {
+    folder.write(std::string("out/") + name, std::string("old"));
+  }
+  OutputFolder output(folder / "out");
+  output.write("map-1.txt", "new");
+  output.drop_older("map-");
+  EXPECT_TRUE(fs::exists(folder / "out/map-2.txt"));
+  output.commit();
+  EXPECT_EQ(content(folder / "out/map-1.txt"), "new");
+  EXPECT_FALSE(fs::exists(folder / "out/map-2.txt"));
+  EXPECT_EQ(entries(folder / "out"), 5U) << "what has another name stays";
+}
+
 TEST(OutputFolder, NamesAnUnwritablePlace) {
   const TestFolder folder;
   folder.write("file", std::string("x"));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -39,39 +38,31 @@ std::string segmentation_columns(const std::optional<SegmentationReport>& report
   return text + fmt::format(",{:.3f},{:.3f}", report->propagation_ms, report->refinement_ms);
 }
 
+std::string loop_columns(const std::optional<LoopReport>& loop) {
+  if (!loop) return ",,\n";
+  return fmt::format(",{},{:.3f}\n", loop->merged ? "merge" : "loop",
+                     loop->detection_ms + loop->correction_ms);
+}
+
 std::string csv_row(const TrackingResult& r) {
-  std::string row =
-      fmt::format("{},{:.6f},{},{},{},{},{},{}", r.frame, r.timestamp, status_name(r.status),
-                  r.keypoints_high, r.keypoints_low, r.matches, r.inliers, r.is_keyframe ? 1 : 0);
+  std::string row = fmt::format("{},{:.6f},{},{},{},{},{},{},{}", r.frame, r.timestamp, status_name(r.status),
+                                r.map >= 0 ? std::to_string(r.map) : "", r.keypoints_high, r.keypoints_low,
+                                r.matches, r.inliers, r.is_keyframe ? 1 : 0);
   for (const Stage& stage : kStages) {
     fmt::format_to(std::back_inserter(row), ",{:.3f}", r.milliseconds.*stage.time);
   }
   row += segmentation_columns(r.segmentation);
   if (r.mapping) {
-    fmt::format_to(std::back_inserter(row), ",{:.3f},{:.3f},{},{},{}\n", r.mapping->total_ms,
+    fmt::format_to(std::back_inserter(row), ",{:.3f},{:.3f},{},{},{},{:.3f}", r.mapping->total_ms,
                    r.mapping->bundle_adjustment_ms, r.mapping->bundle_keyframes, r.mapping->bundle_landmarks,
-                   r.mapping->bundle_observations);
+                   r.mapping->bundle_observations, r.mapping->place_recognition_ms);
   } else {
-    row += ",,,,,\n";
+    row += ",,,,,,";
   }
-  return row;
+  return row + loop_columns(r.loop);
 }
 
 }  // namespace
-
-Quantiles quantiles(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const auto rank = [&](double share) {
-    const auto index = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values[std::clamp<std::size_t>(index, 1, values.size()) - 1];
-  };
-  return {rank(0.5), rank(0.95), rank(0.99)};
-}
-
-nlohmann::ordered_json to_json(const Quantiles& q) {
-  return {{"median", q.median}, {"p95", q.p95}, {"p99", q.p99}};
-}
 
 const char* status_name(TrackingStatus status) {
   switch (status) {
@@ -90,6 +81,7 @@ const char* status_name(TrackingStatus status) {
 void RunRecord::add(const TrackingResult& result, std::optional<double> lag_ms) {
   if (lag_ms) lags_.push_back(*lag_ms);
   results_.push_back(result);
+  loops_.add(result);
   results_.back().keypoints = {};
   results_.back().keypoint_states = {};
   results_.back().dynamic_mask.release();
@@ -110,10 +102,11 @@ void RunRecord::add(const TrackingResult& result, std::optional<double> lag_ms) 
 }
 
 std::string RunRecord::frames_csv() const {
-  std::string text = "frame,timestamp,status,keypoints_high,keypoints_low,matches,inliers,is_keyframe";
+  std::string text = "frame,timestamp,status,map,keypoints_high,keypoints_low,matches,inliers,is_keyframe";
   for (const Stage& stage : kStages) text += fmt::format(",{}_ms", stage.name);
   text += ",dynamic_share,mask_age,segmentation_ms,propagation_ms,refinement_ms";
-  text += ",mapping_ms,bundle_adjustment_ms,bundle_keyframes,bundle_landmarks,bundle_observations\n";
+  text += ",mapping_ms,bundle_adjustment_ms,bundle_keyframes,bundle_landmarks,bundle_observations";
+  text += ",place_recognition_ms,loop,loop_ms\n";
   for (const TrackingResult& result : results_) text += csv_row(result);
   return text;
 }
@@ -140,6 +133,15 @@ nlohmann::ordered_json RunRecord::mapping() const {
           {"bundle_keyframes", to_json(quantiles(keyframes))},
           {"bundle_landmarks", to_json(quantiles(landmarks))},
           {"bundle_observations", to_json(quantiles(observations))}};
+}
+
+std::vector<FramePose> RunRecord::tracked_poses() const {
+  std::vector<FramePose> poses;
+  for (const TrackingResult& result : results_) {
+    if (!result.cam_from_world) continue;
+    poses.push_back({result.frame, result.timestamp, result.cam_from_world->inverse(), result.map});
+  }
+  return poses;
 }
 
 namespace {

@@ -5,18 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "loop_record.hpp"
+#include "quantiles.hpp"
 #include "slam/slam.hpp"
 
 namespace stdc::app {
-
-/// Quantiles of a list of times [ms]; zero if it is empty.
-struct Quantiles {
-  double median = 0, p95 = 0, p99 = 0;
-};
-/// The nearest-rank quantiles, so that each is a value that was measured.
-Quantiles quantiles(std::vector<double> values);
-
-nlohmann::ordered_json to_json(const Quantiles& quantiles);
 
 /// How many frames ended in each status.
 struct StatusCounts {
@@ -44,6 +37,9 @@ class RunRecord {
   nlohmann::ordered_json stage_milliseconds() const;
   /// The same of local mapping, per keyframe, with the sizes of the bundle adjustments.
   nlohmann::ordered_json mapping() const;
+  const LoopRecord& loops() const { return loops_; }
+  /// The poses that the frames had when they were tracked.
+  std::vector<FramePose> tracked_poses() const;
   /// The work of the semantic thread: quantiles of the times, of the masks' ages and of the dynamic share;
   /// null if there was none.
   nlohmann::ordered_json segmentation() const;
@@ -59,6 +55,7 @@ class RunRecord {
  private:
   std::vector<TrackingResult> results_;
   StatusCounts counts_;
+  LoopRecord loops_;
   std::vector<double> lags_;
   double start_up_seconds_ = 0, processing_seconds_ = 0;
 };

@@ -1,8 +1,11 @@
 #include "run_sequence.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <opencv2/core/utility.hpp>
+#include <system_error>
 
 #include "core/error.hpp"
 #include "datasets/camera_file.hpp"
@@ -11,6 +14,7 @@
 #include "output_folder.hpp"
 #include "run_record.hpp"
 #include "run_summary.hpp"
+#include "run_trajectories.hpp"
 #include "sequence_input.hpp"
 #include "slam/slam.hpp"
 #include "track_frames.hpp"
@@ -29,17 +33,55 @@ void score(const Trajectory& truth, const Trajectory& estimate, int frames, RunS
 }
 
 RunSummary summarise(const SequenceInput& input, const RunRecord& record, const Slam& slam,
-                     const Trajectory& estimate) {
+                     const RunTrajectories& trajectories) {
   RunSummary summary;
   summary.sequence = input.name;
   summary.camera = format_camera(input.camera);
   summary.first_frame = input.first_frame;
   summary.colour_without_depth = input.sequence.colour_without_depth();
+  summary.poses = static_cast<int>(trajectories.frames.size());
+  for (const auto& [map, frames] : trajectories.others)
+    summary.poses_elsewhere += static_cast<int>(frames.size());
+  summary.maps = slam.maps();
   summary.keyframes = slam.keyframes();
   summary.landmarks = slam.landmarks();
-  if (input.truth) score(*input.truth, estimate, record.counts().total(), summary);
+  if (input.truth) score(*input.truth, trajectories.frames, record.counts().total(), summary);
   summary.usage = process_usage();
   return summary;
+}
+
+void check_map_options(const RunOptions& options, const Settings& settings) {
+  if (settings.system.localisation_only && !options.load_map) {
+    throw Error("--localisation-only", "there is no map to find the camera in",
+                "give one by --load-map FILE");
+  }
+  if (settings.system.localisation_only && options.save_map) {
+    throw Error("--save-map", "with --localisation-only the map stays as it is", "leave out one of the two");
+  }
+}
+
+/// What would otherwise come to light at the end. The output folder, which may be the place, must be there.
+void check_place_for_map(const RunOptions& options) {
+  if (!options.save_map) return;
+  std::error_code failed;
+  if (std::filesystem::is_directory(*options.save_map, failed)) {
+    throw Error(options.save_map->string(), "is a folder", "give a file to --save-map");
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(*options.save_map, failed).parent_path();
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw Error(options.save_map->string(),
+                fmt::format("cannot be written ({})", std::generic_category().message(errno)),
+                "check that its folder exists and may be written to");
+  }
+}
+
+void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output) {
+  output.write("trajectory.txt", format_trajectory(trajectories.frames));
+  output.write("keyframes.txt", format_trajectory(trajectories.keyframes));
+  for (const auto& [map, frames] : trajectories.others) {
+    output.write(fmt::format("trajectory-map-{}.txt", map), format_trajectory(frames));
+  }
+  output.drop_older("trajectory-map-");
 }
 
 }  // namespace
@@ -49,32 +91,39 @@ void run_sequence(const RunOptions& options) {
   cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
   Settings settings = chosen_settings(options.settings, options.segmentation);
   settings.system.report_keypoints = options.debug_images.has_value();
+  settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
+  check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames);
   auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence.string());
   OutputFolder output(options.output);
+  check_place_for_map(options);
   std::optional<DebugImages> pictures;
   if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
 
   RunRecord record;
   Slam slam(input.camera, settings, std::move(segmenter));
+  if (options.load_map) slam.load_map(*options.load_map);
   track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
                pictures ? &*pictures : nullptr);
-  const Trajectory estimate = to_trajectory(slam.trajectory());
-  const Trajectory keyframes = to_trajectory(slam.keyframe_trajectory());
-  const RunSummary summary = summarise(input, record, slam, estimate);
+  const RunTrajectories trajectories =
+      by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
+             slam.keyframe_trajectory());
+  const RunSummary summary = summarise(input, record, slam, trajectories);
   if (pictures) {
     pictures->add_top_view(
-        {estimate, keyframes, slam.landmark_positions(), input.truth.value_or(Trajectory()),
+        {trajectories.frames, trajectories.keyframes, slam.landmark_positions(),
+         input.truth.value_or(Trajectory()),
          summary.scores ? std::optional(summary.scores->truth_from_estimate) : std::nullopt});
     pictures->commit();
   }
-  output.write("trajectory.txt", format_trajectory(estimate));
-  output.write("keyframes.txt", format_trajectory(keyframes));
+  write_trajectories(trajectories, output);
   output.write("frames.csv", record.frames_csv());
   output.write("summary.json", summary_json(summary, record, settings));
+  if (options.save_map) slam.save_map(*options.save_map);
   output.commit();
   if (options.quiet) return;
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
+  if (options.save_map) fmt::print("map: {}\n", options.save_map->string());
   if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());
 }
 

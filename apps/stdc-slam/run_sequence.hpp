@@ -13,11 +13,13 @@ namespace stdc::app {
 struct RunOptions {
   std::filesystem::path sequence, output;
   std::optional<std::filesystem::path> camera, debug_images;
+  std::optional<std::filesystem::path> load_map, save_map;
   SettingsOptions settings;
   SegmentationOptions segmentation;
-  std::string frames;     ///< "A:B": frames A..B-1 of the sequence; either may be missing
-  int debug_every = 10;   ///< a picture of every n-th frame
-  bool realtime = false;  ///< frames come at the pace of their timestamps
+  std::string frames;              ///< "A:B": frames A..B-1 of the sequence; either may be missing
+  int debug_every = 10;            ///< a picture of every n-th frame
+  bool localisation_only = false;  ///< leave the loaded map as it is
+  bool realtime = false;           ///< frames come at the pace of their timestamps
   bool quiet = false;
 };
 

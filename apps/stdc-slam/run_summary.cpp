@@ -34,8 +34,8 @@ Json settings_to_json(const Settings& settings) {
   return all;
 }
 
-double coverage(const StatusCounts& counts) {
-  return counts.total() > 0 ? static_cast<double>(counts.ok) / counts.total() : 0;
+double coverage(const RunSummary& summary, const RunRecord& record) {
+  return static_cast<double>(summary.poses) / std::max(1, record.counts().total());
 }
 
 double frames_per_second(const RunRecord& record) {
@@ -57,7 +57,10 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
         {"initialising", counts.initialising},
         {"skipped", counts.skipped},
         {"colour_without_depth", summary.colour_without_depth}}},
-      {"coverage", coverage(counts)},
+      {"coverage", coverage(summary, record)},
+      {"maps", summary.maps},
+      {"loops", record.loops().loops()},
+      {"merges", record.loops().merges()},
       {"keyframes", summary.keyframes},
       {"landmarks", summary.landmarks},
       {"start_up_seconds", record.start_up_seconds()},
@@ -67,6 +70,7 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
       {"peak_memory_mb", summary.usage.peak_memory_mb},
       {"stage_milliseconds", record.stage_milliseconds()},
       {"mapping", record.mapping()},
+      {"loop_closing", record.loops().to_json()},
       {"segmentation", record.segmentation()},
   };
   if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
@@ -81,7 +85,8 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   const StatusCounts& counts = record.counts();
   const Quantiles tracking = record.stage(&StageTimes::total), cpu = record.stage(&StageTimes::total_cpu);
   std::string text = fmt::format("{}: {} frames, {} with a pose ({:.1f} %)", summary.sequence, counts.total(),
-                                 counts.ok, 100 * coverage(counts));
+                                 summary.poses, 100 * coverage(summary, record));
+  if (summary.poses_elsewhere > 0) text += fmt::format(", {} in other maps", summary.poses_elsewhere);
   if (counts.lost > 0) text += fmt::format(", {} lost", counts.lost);
   if (counts.initialising > 0) text += fmt::format(", {} initialising", counts.initialising);
   if (counts.skipped > 0) text += fmt::format(", {} skipped", counts.skipped);
@@ -90,6 +95,8 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
       "{:.1f} frames a second; tracking {:.1f} ms a frame (median; 95 %: {:.1f}, 99 %: {:.1f}; CPU: "
       "{:.1f})\n",
       frames_per_second(record), tracking.median, tracking.p95, tracking.p99, cpu.median);
+  if (summary.maps > 1) text += fmt::format("{} maps that were not joined\n", summary.maps);
+  text += record.loops().text();
   text += record.segmentation_text();
   text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
                       summary.usage.cpu_seconds, summary.usage.peak_memory_mb, record.start_up_seconds());

@@ -16,7 +16,9 @@ struct RunSummary {
   std::string camera;  ///< its text, as in camera.yaml
   int first_frame = 0;
   int colour_without_depth = 0;
-  int keyframes = 0, landmarks = 0;
+  int poses = 0;            ///< frames that have one in the map of trajectory.txt
+  int poses_elsewhere = 0;  ///< and in other maps
+  int maps = 0, keyframes = 0, landmarks = 0;
   ProcessUsage usage;
   std::optional<TrajectoryScores> scores;
   std::string not_scored;  ///< why there are no scores though there is a ground truth

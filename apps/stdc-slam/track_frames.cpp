@@ -97,11 +97,4 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
   record.set_processing_seconds(1e-3 * stopwatch.lap_ms());
 }
 
-Trajectory to_trajectory(const std::vector<FramePose>& poses) {
-  Trajectory trajectory;
-  trajectory.reserve(poses.size());
-  for (const FramePose& pose : poses) trajectory.push_back({pose.timestamp, pose.world_from_cam});
-  return trajectory;
-}
-
 }  // namespace stdc::app

@@ -24,6 +24,4 @@ struct TrackOptions {
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
                   Slam& slam, RunRecord& record, DebugImages* pictures);
 
-Trajectory to_trajectory(const std::vector<FramePose>& poses);
-
 }  // namespace stdc::app
