@@ -115,7 +115,7 @@ void score(const std::filesystem::path& folder, const std::filesystem::path& pic
     refined[0].add(refine(settled, first.depth, camera.depth_units_per_metre), first.mask);
     for (int n = 1; n <= kLongest; ++n) {
       const Frame &before = frames[static_cast<std::size_t>(start + n - 1)],
-                  &now = frames[static_cast<std::size_t>(start + n)];
+                  &now = frames[static_cast<std::size_t>(start) + static_cast<std::size_t>(n)];
       const double t0 = thread_seconds();
       propagator.add_frame(start + n, now.grey, now.depth,
                            now.world_from_cam.inverse() * before.world_from_cam);

@@ -52,7 +52,7 @@ void expect_consistent(const Options& base, double tolerance) {
   constexpr int kCount = 200;
   for (int i = 0; i < kCount; ++i) {
     Options options = base;
-    options.seed = static_cast<std::uint64_t>(i + 1);
+    options.seed = static_cast<std::uint64_t>(i) + 1;
     const PoseScene scene = make_pose_scene(options, 150);
     const auto result = solve(scene, 0.03, 0.03);
     ASSERT_TRUE(result.usable);
