@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "features/hamming.hpp"
+#include "map/medoid.hpp"
 
 namespace stdc {
 namespace {
@@ -11,31 +11,6 @@ namespace {
 auto find_observation(auto& observations, KeyframeId keyframe) {
   return std::lower_bound(observations.begin(), observations.end(), keyframe,
                           [](const Observation& o, KeyframeId id) { return o.keyframe < id; });
-}
-
-/// Index of the descriptor whose median distance to all is least (Mur-Artal et al., 'ORB-SLAM', T-RO 2015).
-int medoid(int count, const auto& descriptor) {
-  if (count <= 2) return 0;
-  std::vector<int> distances(static_cast<std::size_t>(count) * count, 0);
-  for (int i = 0; i < count; ++i) {
-    for (int j = i + 1; j < count; ++j) {
-      distances[i * count + j] = distances[j * count + i] = hamming_distance(descriptor(i), descriptor(j));
-    }
-  }
-  int best = 0, least = 257;
-  for (int i = 0; i < count; ++i) {
-    const auto row = distances.begin() + i * count;
-    std::nth_element(row, row + count / 2, row + count);
-    if (row[count / 2] < least) {
-      least = row[count / 2];
-      best = i;
-    }
-  }
-  return best;
-}
-
-bool more_shared(const Covisible& a, const Covisible& b) {
-  return a.shared != b.shared ? a.shared > b.shared : a.keyframe < b.keyframe;
 }
 
 }  // namespace
@@ -144,32 +119,16 @@ void Map::remove(KeyframeId id) {
   --keyframe_count_;
 }
 
-/// Each child goes to the covisible keyframe with which it shares most and which is no descendant of the
-/// child, or else to the removed keyframe's parent. A parent is always older than its child, so "no
-/// descendant" is "older".
-void Map::reparent_children(const Keyframe& removed) {
-  for (const auto& child : keyframes_) {
-    if (child == nullptr || child->parent != removed.id) continue;
-    child->parent = removed.parent;
-    for (const Covisible& c : child->covisible) {
-      if (c.keyframe == removed.id || !(c.keyframe < child->id)) continue;
-      child->parent = c.keyframe;
-      break;
-    }
-  }
-}
-
 void Map::refresh(LandmarkId id) {
   Landmark& landmark = *landmarks_[id.value];
   if (landmark.observations.empty()) return;
   // Descriptor: the one with the least median distance to the others.
-  const auto& observations = landmark.observations;
-  const int count = static_cast<int>(observations.size());
-  const auto descriptor = [&](int i) -> const Descriptor& {
-    const Observation& o = observations[i];
-    return keyframes_[o.keyframe.value]->features->descriptor(o.keypoint);
-  };
-  landmark.descriptor = descriptor(medoid(count, descriptor));
+  std::vector<const Descriptor*> seen;
+  seen.reserve(landmark.observations.size());
+  for (const Observation& o : landmark.observations) {
+    seen.push_back(&keyframes_[o.keyframe.value]->features->descriptor(o.keypoint));
+  }
+  landmark.descriptor = *seen[medoid(seen)];
   refresh_geometry(id);
 }
 
@@ -195,82 +154,10 @@ void Map::refresh_geometry(LandmarkId id) {
   landmark.smallest_distance = landmark.largest_distance / features.scale(features.levels() - 1);
 }
 
-void Map::update_covisibility(KeyframeId id) {
-  Keyframe& keyframe = *keyframes_[id.value];
-  std::vector<int> shared(keyframes_.size(), 0);
-  for (const LandmarkId landmark : keyframe.landmarks) {
-    if (!landmark.valid()) continue;
-    for (const Observation& o : landmarks_[landmark.value]->observations) ++shared[o.keyframe.value];
-  }
-  shared[id.value] = 0;
-  const auto best =
-      static_cast<std::uint32_t>(std::max_element(shared.begin(), shared.end()) - shared.begin());
-  std::vector<Covisible> covisible;
-  for (std::uint32_t other = 0; other < shared.size(); ++other) {
-    if (keyframes_[other] == nullptr || other == id.value) continue;
-    const bool enough = shared[other] >= kLeastShared || (other == best && shared[other] > 0);
-    set_covisible({other}, id, enough ? shared[other] : 0);
-    if (enough) covisible.push_back({{other}, shared[other]});
-  }
-  std::sort(covisible.begin(), covisible.end(), more_shared);
-  keyframe.covisible = std::move(covisible);
-  if (keyframe.parent.valid() || roots_[keyframe.map] == id) return;
-  for (const Covisible& c : keyframe.covisible) {
-    if (!(c.keyframe < id)) continue;
-    keyframe.parent = c.keyframe;
-    return;
-  }
-  // It shares nothing with any older one: the keyframe before it is as good as any.
-  for (std::uint32_t other = id.value; other-- > 0 && !keyframe.parent.valid();) {
-    if (keyframes_[other] != nullptr && keyframes_[other]->map == keyframe.map) keyframe.parent = {other};
-  }
-}
-
-void Map::set_covisible(KeyframeId of, KeyframeId other, int shared) {
-  auto& list = keyframes_[of.value]->covisible;
-  const auto place =
-      std::find_if(list.begin(), list.end(), [&](const Covisible& c) { return c.keyframe == other; });
-  if (place != list.end()) {
-    if (place->shared == shared) return;
-    list.erase(place);
-  }
-  if (shared == 0) return;
-  const Covisible entry{other, shared};
-  list.insert(std::lower_bound(list.begin(), list.end(), entry, more_shared), entry);
-}
-
-Map::Anchor Map::resolve(KeyframeId id) const {
-  Anchor anchor{id, Pose()};
-  while (!has(anchor.keyframe)) {
-    const Removed& removed = *removed_[anchor.keyframe.value];
-    anchor.cam_from_anchor = anchor.cam_from_anchor * removed.cam_from_parent;
-    anchor.keyframe = removed.parent;
-  }
-  return anchor;
-}
-
 int Map::keyframe_count(int map) const {
   return static_cast<int>(std::count_if(keyframes_.begin(), keyframes_.end(), [map](const auto& keyframe) {
     return keyframe != nullptr && keyframe->map == map;
   }));
-}
-
-void Map::join(int from, int into) {
-  for (const auto& keyframe : keyframes_) {
-    if (keyframe != nullptr && keyframe->map == from) keyframe->map = into;
-  }
-  keyframes_[roots_[from].value]->parent = roots_[into];
-  roots_[from] = {};
-}
-
-void Map::tie(KeyframeId a, KeyframeId b) {
-  const auto note = [this](KeyframeId of, KeyframeId other) {
-    auto& loops = keyframes_[of.value]->loops;
-    const auto place = std::lower_bound(loops.begin(), loops.end(), other);
-    if (place == loops.end() || *place != other) loops.insert(place, other);
-  };
-  note(a, b);
-  note(b, a);
 }
 
 std::vector<KeyframeId> Map::keyframe_ids(int map) const {
