@@ -25,8 +25,9 @@ Written to the output folder, all at the end or nothing:
                   every frame
   summary.json    coverage (share of the frames that are in trajectory.txt), maps, loops, times, memory, scores,
                   camera, settings, version
-A map saved by --save-map holds all maps. --load-map goes on with it: the first frame that sees a mapped place
-joins it. With --localisation-only nothing is added to it, and a run may be as long as it likes.
+
+A map saved by --save-map holds all maps of the run. --load-map goes on with it: once a mapped place is seen
+again, poses are in its coordinates. With --localisation-only nothing is added to it.
 
 Examples:
   stdc-slam run rgbd_dataset_freiburg1_xyz --output results
