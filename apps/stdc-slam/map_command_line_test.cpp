@@ -1,5 +1,7 @@
 // Map files as a user meets them.
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "datasets/trajectory.hpp"
 #include "map/test_map_file.hpp"
@@ -95,6 +97,38 @@ TEST_F(MapCommandLine, ASessionGoesOnWithAMapAndSavesItAgain) {
   EXPECT_EQ(map["keyframes"], summary["keyframes"]);
   EXPECT_EQ(map["maps"].size(), 1U) << "the second part was found in the map of the first";
   EXPECT_EQ(call("map export s.map --output points").code, 0);
+}
+
+TEST_F(MapCommandLine, MapsThatWereNotJoinedStandInFilesOfTheirOwn) {
+  make_sequence(24);
+  // From frame 9 on the camera sees another place: mirrored, no corner is what it was.
+  for (int i = 9; i < 24; ++i) {
+    const fs::path path = folder_ / fmt::format("s/rgb/{}.png", i);
+    const std::string bytes = content(path);
+    const std::vector<std::uint8_t> png(bytes.begin(), bytes.end());
+    cv::Mat mirrored;
+    cv::flip(decode_colour(png, {320, 240}, ColourMode::as_stored).image, mirrored, 1);
+    folder_.write(fmt::format("s/rgb/{}.png", i), encode_png(mirrored, PngEffort::fast));
+  }
+  folder_.write("o/trajectory-map-7.txt", std::string("of an older run\n"));
+  const std::string run = "run s --set tracking.new_map_after=3 --save-map s.map --output ";
+  const Outcome outcome = call(run + "o");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto summary = nlohmann::json::parse(content(folder_ / "o/summary.json"));
+  EXPECT_EQ(summary["maps"], 2);
+  EXPECT_TRUE(contains(outcome.out, "\n2 maps that were not joined\n")) << outcome.out;
+  const long most = lines(content(folder_ / "o/trajectory.txt"));
+  EXPECT_EQ(lines(content(folder_ / "o/trajectory-map-0.txt")), 9);
+  EXPECT_GT(most, 9);
+  EXPECT_NEAR(summary["coverage"], static_cast<double>(most) / 24, 1e-9) << "of one map only";
+  EXPECT_EQ(summary["frames"]["ok"], most + 9);
+  EXPECT_TRUE(contains(outcome.out, ", 9 in other maps")) << outcome.out;
+  EXPECT_FALSE(fs::exists(folder_ / "o/trajectory-map-7.txt"));
+  EXPECT_TRUE(contains(content(folder_ / "o/frames.csv"), "\n8,100.266667,ok,0,"));
+  EXPECT_TRUE(contains(content(folder_ / "o/frames.csv"), "\n10,100.333333,lost,,"));
+  EXPECT_TRUE(contains(content(folder_ / "o/frames.csv"), "\n23,100.766667,ok,1,"));
+  ASSERT_EQ(call("map export s.map --output points").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "points/keyframes-map-1.txt"));
 }
 
 TEST_F(MapCommandLine, RunRefusesMapsThatWillNotDo) {
