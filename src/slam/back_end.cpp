@@ -17,7 +17,7 @@ BackEnd::BackEnd(const Camera& camera, const Settings& settings)
 
 void BackEnd::adopt(Map map) {
   map_ = std::move(map);
-  closer_.enter_all(map_);
+  start(Job::places, 0, [this] { closer_.enter_all(map_); });
 }
 
 void BackEnd::start(Job job, int due, std::function<void()> work) {

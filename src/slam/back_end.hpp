@@ -43,7 +43,7 @@ class BackEnd {
   /// Whether a job waits for the map to come home: then no keyframe is to be made.
   bool job_waits() const { return loop_.has_value() || (bundle_ && bundle_solved_); }
 
-  /// A map from a file, before the first keyframe.
+  /// A map from a file, before the first frame. Its places are learnt until then.
   void adopt(Map map);
   /// Gives the map away to have a keyframe worked into it.
   void map_keyframe(KeyframeId keyframe, int frame);
@@ -57,7 +57,7 @@ class BackEnd {
   void hurry() { bundle_due_ = 0; }
 
  private:
-  enum class Job { none, keyframe, loop, bundle };
+  enum class Job { none, places, keyframe, loop, bundle };
 
   void start(Job job, int due, std::function<void()> work);
   void close_loop(int frame);

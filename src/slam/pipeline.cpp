@@ -251,8 +251,8 @@ void Pipeline::load_map(const std::filesystem::path& path) {
     throw Error(path.string(), "was made with another camera",
                 "give the camera that 'stdc-slam map info' shows, or make the map again");
   }
+  first_own_keyframe_ = {static_cast<std::uint32_t>(stored.map.keyframe_id_limit())};
   back_end_.adopt(std::move(stored.map));
-  first_own_keyframe_ = {static_cast<std::uint32_t>(back_end_.map().keyframe_id_limit())};
 }
 
 std::vector<FramePose> Pipeline::trajectory() const {
