@@ -8,7 +8,6 @@
 #include "map/map_file.hpp"
 #include "slam/image_check.hpp"
 #include "tracking/keyframe_policy.hpp"
-#include "tracking/relocalisation.hpp"
 
 namespace stdc {
 
@@ -17,6 +16,7 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
       settings_(settings),
       extractor_(settings.features),
       tracker_(camera, settings.tracking, settings.noise, settings.pose_optimisation),
+      relocaliser_(camera, settings.tracking, settings.noise, settings.pose_optimisation),
       back_end_(camera, settings) {
   if (segmenter) {
     semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
@@ -130,8 +130,14 @@ TrackingStatus Pipeline::locate(TrackedFrame& frame) {
   if (back_end_.map().keyframe_count() == 0) {
     return initialise(frame) ? TrackingStatus::ok : TrackingStatus::initialising;
   }
-  if (relocalise(frame) || start_over(frame)) return TrackingStatus::ok;
-  return TrackingStatus::lost;
+  if (relocaliser_.find(back_end_.map(), back_end_.places(), extractor_.pyramid(), frame, tracker_,
+                        local_map_)) {
+    last_keyframe_ = local_map_.reference;
+    active_map_ = back_end_.map().map_of(last_keyframe_);
+    unknown_frames_ = 0;
+    return TrackingStatus::ok;
+  }
+  return start_over(frame) ? TrackingStatus::ok : TrackingStatus::lost;
 }
 
 /// Whether a map could be started with a frame.
@@ -156,51 +162,6 @@ bool Pipeline::start_over(TrackedFrame& frame) {
   if (++unknown_frames_ <= settings_.tracking.new_map_after) return false;
   frame = TrackedFrame(camera_, frame.index, frame.timestamp, frame.features);
   return initialise(frame);
-}
-
-/// Tries the latest keyframes, newest first, then places that look like the frame, in any map.
-bool Pipeline::relocalise(TrackedFrame& frame) {
-  const Map& map = back_end_.map();
-  std::vector<KeyframeId> keyframes = map.keyframe_ids();
-  std::reverse(keyframes.begin(), keyframes.end());
-  const auto most = static_cast<std::size_t>(settings_.tracking.relocalisation_keyframes);
-  if (keyframes.size() > most) keyframes.resize(most);
-  constexpr int kLeastInliers = 15;  // of one keyframe; the local map must then give many more
-  for (const KeyframeId keyframe : keyframes) {
-    const auto found = locate_by_keyframe(camera_, map, keyframe, *frame.features, kLeastInliers,
-                                          settings_.tracking, settings_.noise, settings_.pose_optimisation);
-    if (found && settle(frame, keyframe, found->cam_from_world, found->landmarks)) return true;
-  }
-  for (const LoopCloser::FramePlace& place :
-       back_end_.places().locate(map, {*frame.features, frame.motion})) {
-    std::vector<LandmarkId> landmarks(frame.features->size());
-    for (const PlaceSight& s : place.pose.sights) landmarks[s.keypoint] = s.landmark;
-    if (settle(frame, place.keyframe, place.pose.cam_from_world, landmarks)) return true;
-  }
-  return false;
-}
-
-/// A frame that was found again: tracking goes on from there if the local map agrees.
-bool Pipeline::settle(TrackedFrame& frame, KeyframeId near, const Pose& cam_from_world,
-                      const std::vector<LandmarkId>& landmarks) {
-  local_map_ = make_local_map(back_end_.map(), landmarks, near, settings_.tracking.local_keyframes);
-  frame.cam_from_world = cam_from_world;
-  std::vector<FrameMatch> matches;
-  for (int i = 0; i < frame.features->size(); ++i) {
-    const int landmark = landmarks[i].valid() ? local_map_.find(landmarks[i]) : -1;
-    if (landmark >= 0) matches.push_back({i, landmark, local_map_.landmarks[landmark].position});
-  }
-  constexpr double kWider = 2.5;  // the pose is rougher than that of a tracked frame
-  if (!tracker_.refine(frame, local_map_, extractor_.pyramid(), std::move(matches),
-                       kWider * settings_.tracking.local_map_radius,
-                       settings_.tracking.relocalisation_inliers)) {
-    return false;
-  }
-  last_keyframe_ = local_map_.reference;
-  active_map_ = back_end_.map().map_of(last_keyframe_);
-  unknown_frames_ = 0;
-  tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
-  return true;
 }
 
 bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {

@@ -9,6 +9,7 @@
 #include "features/extractor.hpp"
 #include "map/map.hpp"
 #include "slam/back_end.hpp"
+#include "slam/relocaliser.hpp"
 #include "slam/semantic_thread.hpp"
 #include "slam/settings.hpp"
 #include "slam/slam.hpp"
@@ -52,9 +53,6 @@ class Pipeline {
   TrackingStatus locate(TrackedFrame& frame);
   bool shows_enough(const TrackedFrame& frame) const;
   bool initialise(TrackedFrame& frame);
-  bool relocalise(TrackedFrame& frame);
-  bool settle(TrackedFrame& frame, KeyframeId near, const Pose& cam_from_world,
-              const std::vector<LandmarkId>& landmarks);
   bool start_over(TrackedFrame& frame);
   bool wants_keyframe(const TrackedFrame& frame) const;
   void make_keyframe(TrackedFrame& frame, int map_number);
@@ -67,6 +65,7 @@ class Pipeline {
   FeatureExtractor extractor_;
   std::unique_ptr<SemanticThread> semantics_;  ///< null: everything counts as static
   Tracker tracker_;
+  Relocaliser relocaliser_;
   LocalMap local_map_;
   int next_frame_ = 0;
   std::optional<double> last_time_;
