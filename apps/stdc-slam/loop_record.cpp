@@ -11,12 +11,15 @@ namespace stdc::app {
 
 void LoopRecord::add(const TrackingResult& result) {
   if (result.mapping) recognition_.push_back(result.mapping->place_recognition_ms);
-  if (!result.loop) return;
-  merges_ += result.loop->merged ? 1 : 0;
-  detection_.push_back(result.loop->detection_ms);
-  correction_.push_back(result.loop->correction_ms);
-  keyframes_.push_back(result.loop->keyframes);
-  fused_.push_back(result.loop->fused);
+  if (result.loop) add(*result.loop);
+}
+
+void LoopRecord::add(const LoopReport& loop) {
+  merges_ += loop.merged ? 1 : 0;
+  detection_.push_back(loop.detection_ms);
+  correction_.push_back(loop.correction_ms);
+  keyframes_.push_back(loop.keyframes);
+  fused_.push_back(loop.fused);
 }
 
 nlohmann::ordered_json LoopRecord::to_json() const {

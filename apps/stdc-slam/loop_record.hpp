@@ -12,6 +12,7 @@ namespace stdc::app {
 class LoopRecord {
  public:
   void add(const TrackingResult& result);
+  void add(const LoopReport& loop);
 
   /// Loops that were closed within a map, and maps that were joined by one.
   int loops() const { return static_cast<int>(correction_.size()) - merges_; }

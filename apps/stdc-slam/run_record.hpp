@@ -38,6 +38,8 @@ class RunRecord {
   /// The same of local mapping, per keyframe, with the sizes of the bundle adjustments.
   nlohmann::ordered_json mapping() const;
   const LoopRecord& loops() const { return loops_; }
+  /// A loop that was taken in after the last frame.
+  void add(const LoopReport& loop) { loops_.add(loop); }
   /// The poses that the frames had when they were tracked.
   std::vector<FramePose> tracked_poses() const;
   /// The work of the semantic thread: quantiles of the times, of the masks' ages and of the dynamic share;

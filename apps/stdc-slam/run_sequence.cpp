@@ -111,7 +111,7 @@ void run_sequence(const RunOptions& options) {
   const RunSummary summary = summarise(input, record, slam, trajectories);
   if (pictures) {
     pictures->add_top_view(
-        {trajectories.frames, trajectories.keyframes, slam.landmark_positions(),
+        {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
          input.truth.value_or(Trajectory()),
          summary.scores ? std::optional(summary.scores->truth_from_estimate) : std::nullopt});
     pictures->commit();

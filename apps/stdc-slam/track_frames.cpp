@@ -93,7 +93,7 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
     }
     progress.update(frame->index + 1);
   }
-  slam.finish();
+  for (const LoopReport& loop : slam.finish()) record.add(loop);
   record.set_processing_seconds(1e-3 * stopwatch.lap_ms());
 }
 

@@ -14,9 +14,9 @@
 namespace stdc {
 namespace {
 
-using testing::TestFolder;
 using testing::Footage;
 using testing::same_bytes;
+using testing::TestFolder;
 using testing::Walk;
 
 std::string bytes_of(const std::filesystem::path& path) {

@@ -196,13 +196,17 @@ void Pipeline::record(const TrackedFrame& frame) {
                     frame.cam_from_world * local_map_.reference_from_world.inverse()});
 }
 
-void Pipeline::finish() {
+std::vector<LoopReport> Pipeline::finish() {
+  std::vector<LoopReport> loops;
   const int frame = next_frame_ - 1;
   while (back_end_.busy()) {
     back_end_.hurry();
-    if (back_end_.take_in(frame, true).map_is_back) follow_map();
+    const BackEndNews news = back_end_.take_in(frame, true);
+    if (news.map_is_back) follow_map();
+    if (news.loop) loops.push_back(*news.loop);
     back_end_.go_on(frame);
   }
+  return loops;
 }
 
 void Pipeline::load_map(const std::filesystem::path& path) {

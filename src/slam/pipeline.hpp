@@ -27,8 +27,8 @@ class Pipeline {
 
   TrackingResult track(const RgbdImage& image);
   TrackingResult skip(double timestamp);
-  /// Waits for the back end and takes its results in.
-  void finish();
+  /// Waits for the back end and takes its results in; returns the loops among them.
+  std::vector<LoopReport> finish();
   /// Reads a map, before the first frame.
   void load_map(const std::filesystem::path& path);
 

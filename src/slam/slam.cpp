@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "map/map_bundle.hpp"
 #include "map/map_file.hpp"
 #include "slam/pipeline.hpp"
 
@@ -33,7 +34,7 @@ Slam::~Slam() = default;
 
 TrackingResult Slam::track(const RgbdImage& image) { return implementation_->pipeline.track(image); }
 TrackingResult Slam::skip(double timestamp) { return implementation_->pipeline.skip(timestamp); }
-void Slam::finish() { implementation_->pipeline.finish(); }
+std::vector<LoopReport> Slam::finish() { return implementation_->pipeline.finish(); }
 void Slam::load_map(const std::filesystem::path& path) { implementation_->pipeline.load_map(path); }
 void Slam::save_map(const std::filesystem::path& path) {
   implementation_->pipeline.finish();
@@ -75,11 +76,13 @@ int Slam::landmarks() const {
   return implementation_->pipeline.map().landmark_count();
 }
 
-std::vector<Eigen::Vector3d> Slam::landmark_positions() const {
+std::vector<Eigen::Vector3d> Slam::landmark_positions(int map_number) const {
   implementation_->pipeline.finish();
   const Map& map = implementation_->pipeline.map();
   std::vector<Eigen::Vector3d> positions;
-  for (const LandmarkId id : map.landmark_ids()) positions.push_back(map.landmark(id).position);
+  if (map_number >= map.map_count()) return positions;
+  for (const LandmarkId id : landmarks_of(map, map.keyframe_ids(map_number)))
+    positions.push_back(map.landmark(id).position);
   return positions;
 }
 

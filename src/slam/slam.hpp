@@ -130,7 +130,8 @@ class Slam {
   /// Counts a frame that could not be read: its status is `skipped`.
   TrackingResult skip(double timestamp);
   /// Waits for the workers and takes in what they still have. track() may go on afterwards.
-  void finish();
+  /// @returns the loops among that
+  std::vector<LoopReport> finish();
 
   /// Poses of all tracked frames in order of time, each relative to its reference keyframe as now optimised.
   /// With `system.localisation_only` there are none: those of the results are final, and a session may be
@@ -142,8 +143,8 @@ class Slam {
   int maps() const;
   int keyframes() const;
   int landmarks() const;
-  /// Positions of all landmarks [m, world]; for drawing.
-  std::vector<Eigen::Vector3d> landmark_positions() const;
+  /// Positions of the landmarks of a map [m, its world]; for drawing.
+  std::vector<Eigen::Vector3d> landmark_positions(int map = 0) const;
 
  private:
   struct Implementation;

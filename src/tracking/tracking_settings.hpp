@@ -14,7 +14,7 @@ struct TrackingSettings {
   double best_to_second = 0.8;
   int minimum_inliers_motion = 12;
   int minimum_inliers = 15;
-  int relocalisation_keyframes = 20;
+  int relocalisation_keyframes = 5;
   int relocalisation_inliers = 30;
   int new_map_after = 30;
   double close_depth = 3.2;
