@@ -1,9 +1,12 @@
+#include "frame_range.hpp"
+
 #include <fmt/format.h>
 
 #include <charconv>
+#include <optional>
+#include <string_view>
 
 #include "core/error.hpp"
-#include "sequence_input.hpp"
 
 namespace stdc::app {
 namespace {

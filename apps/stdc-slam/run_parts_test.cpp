@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "frame_loader.hpp"
+#include "frame_range.hpp"
 #include "interrupt_watch.hpp"
 #include "output_folder.hpp"
 #include "process_usage.hpp"

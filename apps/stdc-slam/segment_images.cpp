@@ -9,6 +9,7 @@
 #include "core/image_size.hpp"
 #include "core/text_file.hpp"
 #include "datasets/tum_sequence.hpp"
+#include "frame_range.hpp"
 #include "segmentation/mask_file_segmenter.hpp"
 #include "sequence_input.hpp"
 

@@ -1,6 +1,7 @@
 #include "sequence_input.hpp"
 
 #include "datasets/camera_file.hpp"
+#include "frame_range.hpp"
 
 namespace stdc::app {
 namespace {

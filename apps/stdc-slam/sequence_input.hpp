@@ -29,7 +29,4 @@ struct SequenceInput {
   std::span<const SequenceFrame> frames;  ///< the chosen ones, of `sequence`
 };
 
-/// The half-open range of "A:B" within `count` frames. Throws Error.
-std::pair<int, int> parse_frame_range(const std::string& text, int count);
-
 }  // namespace stdc::app
