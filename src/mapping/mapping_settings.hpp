@@ -13,7 +13,7 @@ struct MappingSettings {
   int probation_observations = 3;
   double fuse_radius = 3;
   int match_distance = 50;
-  double redundant_share = 0.9;
+  double redundant_share = 0.85;
   int bundle_keyframes = 20;
   int bundle_fixed_keyframes = 20;
 
