@@ -53,6 +53,7 @@ struct FeatureExtractor::Implementation {
   std::vector<std::vector<Corner>> corners;  // by level, at T_L
   std::vector<PaddedImage> smoothed;         // by level
   DynamicArea dynamic;
+  std::vector<int> nearest;  // scratch: pixel of the image, by column or row of a level
   CandidateChooser chooser;
   std::vector<Candidate> candidates;
   Quadtree quadtree;
@@ -94,9 +95,13 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
   for (int level = 0; level < pyramid.levels(); ++level) {
     const float s = scale(level);
     dynamic.spread(static_cast<int>(std::lround(kMargin * s)));
-    const auto nearest = [s](int x) { return static_cast<int>(std::lround(level_to_image(x, s))); };
-    std::erase_if(corners[at(level)],
-                  [&](const Corner& corner) { return dynamic.near(nearest(corner.x), nearest(corner.y)); });
+    const cv::Size size = pyramid.sizes()[at(level)];
+    nearest.resize(at(std::max(size.width, size.height)));
+    for (std::size_t x = 0; x < nearest.size(); ++x)
+      nearest[x] = static_cast<int>(std::lround(level_to_image(static_cast<float>(x), s)));
+    std::erase_if(corners[at(level)], [&](const Corner& corner) {
+      return dynamic.near(nearest[at(corner.x)], nearest[at(corner.y)]);
+    });
   }
 }
 

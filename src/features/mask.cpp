@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace stdc {
 namespace {
@@ -76,15 +77,24 @@ void DynamicArea::set(const cv::Mat& mask) {
   }
   empty_ = any == 0;
   spread_ = rows_;
+  radius_ = 0;
 }
 
 void DynamicArea::spread(int radius) {
   if (empty_) return;
-  spread_ = rows_;
-  for (int y = 0; y < height_; ++y) {
-    spread_along(spread_.data() + static_cast<std::size_t>(y) * words_, words_, radius, scratch_);
+  if (radius < radius_) {
+    spread_ = rows_;
+    radius_ = 0;
   }
-  spread_down(spread_, words_, radius, scratch_);
+  // Squares add up: what was spread before is spread by the rest.
+  const int more = radius - std::exchange(radius_, radius);
+  if (more == 0) return;
+  for (int y = 0; y < height_; ++y) {
+    std::uint64_t* words = spread_.data() + static_cast<std::size_t>(y) * words_;
+    if (std::all_of(words, words + words_, [](std::uint64_t word) { return word == 0; })) continue;
+    spread_along(words, words_, more, scratch_);
+  }
+  spread_down(spread_, words_, more, scratch_);
 }
 
 }  // namespace stdc

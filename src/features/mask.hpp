@@ -12,7 +12,7 @@ class DynamicArea {
   /// `mask`: CV_8UC1, not zero = dynamic; empty: nothing is dynamic.
   void set(const cv::Mat& mask);
   bool empty() const { return empty_; }
-  /// From now on near() looks this far [px], at least 0.
+  /// From now on near() looks this far [px], at least 0. Cheapest in the order of rising radii.
   void spread(int radius);
   /// Is any pixel with |dx| <= radius and |dy| <= radius of (x, y) dynamic? Places outside the image are not
   /// near anything.
@@ -24,6 +24,7 @@ class DynamicArea {
 
  private:
   int width_ = 0, height_ = 0;
+  int radius_ = 0;  // by which `spread_` is spread
   bool empty_ = true;
   std::size_t words_ = 0;  // of 64 pixels, in a row
   // A bit for each pixel, row by row: the mask, and the mask spread.

@@ -33,7 +33,7 @@ TEST(DynamicArea, AgreesWithLookingAtEachPixel) {
     }
     DynamicArea area;
     area.set(mask);
-    for (const int radius : {0, 1, 2, 5, 14, 40, 100}) {
+    for (const int radius : {0, 1, 2, 5, 14, 40, 100, 3, 3}) {
       area.spread(radius);
       for (int y = -1; y <= size.height; ++y) {
         for (int x = -1; x <= size.width; ++x) {
