@@ -33,7 +33,8 @@ Examples:
   stdc-slam run rgbd_dataset_freiburg1_xyz --output results
   stdc-slam run my-sequence --camera my-camera.yaml --output results --frames 100:400
   stdc-slam run my-sequence --output results --set features.keypoints=2000 --selection orb-slam3
-  stdc-slam run my-sequence --output results --segmentation network --realtime
+  stdc-slam run my-sequence --output results --realtime --set segmentation.pace=asynchronous
+  stdc-slam run empty-room --output results --segmentation off
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam run second-visit --output results --load-map office.map --save-map office.map
   stdc-slam run third-visit --output results --load-map office.map --localisation-only

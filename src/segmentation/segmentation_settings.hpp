@@ -35,7 +35,7 @@ struct EnumNames<SegmentationPace> {
 
 /// Settings of the semantic thread.
 struct SegmentationSettings {
-  SegmentationSource source = SegmentationSource::off;
+  SegmentationSource source = SegmentationSource::network;
   SegmentationPace pace = SegmentationPace::every_frame;
   int latency = 3;
   bool propagation = true;
