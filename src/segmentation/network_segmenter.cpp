@@ -83,7 +83,8 @@ fs::path find_network_weights() {
   for (const fs::path& place : places) tried.push_back(place.string());
   throw Error(name.filename().string(),
               fmt::format("the network's weights were not found (tried {})", fmt::join(tried, ", ")),
-              "give their file with --weights, or their folder in STDC_SLAM_MODELS, or do without (--segmentation off)");
+              "give their file with --weights, or their folder in STDC_SLAM_MODELS, or do without "
+              "(--segmentation off)");
 }
 
 }  // namespace stdc
