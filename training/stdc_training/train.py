@@ -3,7 +3,7 @@
 DATA is the folder of `stdc_training.pack`. RUN receives last.pt and best.pt (checkpoints),
 log.csv (losses) and scores.csv (validation). Started again with the same RUN it goes on from
 last.pt; size, batch, learning rate and total may then differ, which is how the picture size
-grows in the course of a training.
+grows in the course of a training. A new RUN may begin from a weights file (--start-from).
 """
 
 import argparse
@@ -22,7 +22,7 @@ from .losses import total_loss
 from .network import MODULES, StdcSeg, default_device
 from .quick_check import quick_scores, validation_subset
 from .samples import Samples
-from .weights import normalised
+from .weights import begin_from, normalised
 
 
 def parse(arguments=None):
@@ -49,6 +49,8 @@ def parse(arguments=None):
     parser.add_argument("--heights", type=float, nargs=2, default=(0.35, 3.0),
                         metavar=("LOW", "HIGH"), help="of people, in frame heights")
     parser.add_argument("--rendered", help="name of a packed set of rendered frames in DATA")
+    parser.add_argument("--start-from", metavar="WEIGHTS",
+                        help="weights file that a new training begins with")
     parser.add_argument("--loaders", type=int, default=1, help="processes that make samples")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--evaluate-seconds", type=float, default=1200)
@@ -63,6 +65,8 @@ class Trainer:
         torch.manual_seed(options.seed)
         self.options, self.device = options, default_device()
         self.network = StdcSeg(options.architecture, divisor=options.divisor, head=options.head)
+        if options.start_from:
+            begin_from(options.start_from, self.network)
         self.network.to(self.device)
         self.detail = DetailTarget().to(self.device)
         self.average = Average(self.network)

@@ -62,6 +62,19 @@ def load(path):
     return network.eval(), entries
 
 
+def begin_from(path, network):
+    """Give a network for training the weights of a file; the heads of training stay as they are."""
+    trained, _ = load(path)
+    own = network.state_dict()
+    given = trained.state_dict()
+    wrong = [name for name, tensor in given.items()
+             if name not in own or own[name].shape != tensor.shape]
+    if wrong:
+        raise ValueError(f"{path}: {wrong[0]} does not fit; "
+                         "give --architecture, --divisor and --head of the file")
+    network.load_state_dict({**own, **given})
+
+
 def normalised(images):
     """uint8 RGB [n, h, w, 3] to float [n, 3, h, w] as the networks take it."""
     values = images.permute(0, 3, 1, 2).float() / 255

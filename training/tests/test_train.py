@@ -6,7 +6,7 @@ from pathlib import Path
 
 import torch
 
-from stdc_training import export, quick_check, train
+from stdc_training import export, quick_check, train, weights
 from stdc_training.ema import Average
 
 from .made_up import write_packed
@@ -53,6 +53,22 @@ class TrainTest(unittest.TestCase):
         for name, tensor in whole.average.network.state_dict().items():
             other = second.average.network.state_dict()[name]
             torch.testing.assert_close(tensor, other, rtol=1e-4, atol=1e-5, msg=name)
+
+    def test_begins_from_a_weights_file(self):
+        first = train.Trainer(self.options("given"))
+        self.run_steps(first, 3)
+        file = self.folder / "given.safetensors"
+        weights.save(file, first.average.network, weights.metadata(first.network, (64, 32), ""),
+                     half=False)
+        options = self.options("begun")
+        options.start_from = str(file)
+        begun = train.Trainer(options)
+        for name, tensor in weights.load(file)[0].state_dict().items():
+            torch.testing.assert_close(begun.network.state_dict()[name], tensor, msg=name)
+            torch.testing.assert_close(begun.average.network.state_dict()[name], tensor, msg=name)
+        options.head = 16
+        with self.assertRaisesRegex(ValueError, "does not fit"):
+            train.Trainer(options)
 
     def test_scores_and_export(self):
         trainer = train.Trainer(self.options("scores"))
