@@ -87,8 +87,9 @@ class Mutator {
   void put_telling_bytes(Input& input) {
     const auto [first, count] = range(input);
     const std::uint8_t body = below(2) == 0 ? 0x00 : 0xFF;
-    for (int i = 0; i < count; ++i) input[static_cast<std::size_t>(first + i)] = body;
-    if (count > 0 && below(2) == 0) input[static_cast<std::size_t>(first + count - 1)] ^= 0x80U;
+    std::fill_n(input.begin() + first, count, body);
+    const int last = first + count - 1;
+    if (count > 0 && below(2) == 0) input[static_cast<std::size_t>(last)] ^= 0x80U;
   }
   void cut_out(Input& input) {
     const auto [first, count] = range(input);
@@ -117,7 +118,7 @@ class Mutator {
 void run(const Input& input, const std::filesystem::path& last) {
   std::ofstream(last, std::ios::binary)
       .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
-  const Input copy(input);
+  const Input copy(input.begin(), input.end());
   LLVMFuzzerTestOneInput(copy.data(), copy.size());
 }
 

@@ -15,8 +15,8 @@ namespace stdc {
 /// the map.
 class LoopCloser {
  public:
-  LoopCloser(LoopTools tools, const PoseOptimisationSettings& optimisation)
-      : tools_(std::move(tools)), optimisation_(optimisation), detector_(tools_.settings) {}
+  LoopCloser(const LoopTools& tools, const PoseOptimisationSettings& optimisation)
+      : tools_(tools), optimisation_(optimisation), detector_(tools_.settings) {}
 
   /// Enters all keyframes of a map that was read from a file.
   void enter_all(const Map& map);
