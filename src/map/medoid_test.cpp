@@ -14,6 +14,7 @@ namespace {
 
 int chosen(const std::vector<Descriptor>& descriptors) {
   std::vector<const Descriptor*> pointers;
+  pointers.reserve(descriptors.size());
   for (const Descriptor& d : descriptors) pointers.push_back(&d);
   return medoid(pointers);
 }
@@ -35,10 +36,12 @@ TEST(Medoid, AgreesWithItsDefinition) {
   for (int round = 0; round < 20; ++round) {
     std::vector<Descriptor> all;
     const int count = 3 + static_cast<int>(random.below(12));
+    all.reserve(count);
     for (int i = 0; i < count; ++i) all.push_back(test::random_descriptor(random));
     int best = -1, least = 257;
     for (int i = 0; i < count; ++i) {
       std::vector<int> row;
+      row.reserve(all.size());
       for (const Descriptor& other : all) row.push_back(hamming_distance(all[i], other));
       std::sort(row.begin(), row.end());
       if (row[count / 2] >= least) continue;

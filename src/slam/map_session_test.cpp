@@ -140,6 +140,7 @@ TEST(MapSession, LoopsAndMergesGiveTheSameBytesOnALoadedMachine) {
   const auto alone = run();
   std::atomic<bool> stop = false;
   std::vector<std::thread> load;
+  load.reserve(4);
   for (int i = 0; i < 4; ++i) {
     load.emplace_back([&stop] {
       double x = 1;

@@ -82,6 +82,7 @@ TEST(Slam, GivesTheSameBytesOnALoadedMachine) {
   const Outcome alone = run(small_settings(), 60);
   std::atomic<bool> stop = false;
   std::vector<std::thread> load;
+  load.reserve(4);
   for (int i = 0; i < 4; ++i) {
     load.emplace_back([&stop] {
       double x = 1;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <cstring>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -36,6 +38,7 @@ struct Footage {
     const RenderedSequence sequence(preset, settings);
     frames.resize(count);
     std::vector<std::thread> threads;
+    threads.reserve(2);
     for (int start = 0; start < 2; ++start) {
       threads.emplace_back([&, start] {
         for (int i = start; i < count; i += 2) frames[i] = sequence.render(first + i * step);
@@ -45,14 +48,20 @@ struct Footage {
   }
 };
 
+/// Whether two vectors are equal bit by bit; -0 and 0 are not.
+template <typename Vector>
+bool same_bits(const Vector& a, const Vector& b) {
+  return std::equal(a.data(), a.data() + a.size(), b.data(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
+}
+
 inline bool same_bytes(const std::vector<FramePose>& a, const std::vector<FramePose>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Eigen::Vector4d qa = a[i].world_from_cam.rotation.coeffs(),
-                          qb = b[i].world_from_cam.rotation.coeffs();
-    const Eigen::Vector3d ta = a[i].world_from_cam.translation, tb = b[i].world_from_cam.translation;
-    if (a[i].frame != b[i].frame || std::memcmp(qa.data(), qb.data(), sizeof(double) * 4) != 0 ||
-        std::memcmp(ta.data(), tb.data(), sizeof(double) * 3) != 0) {
+    const Pose &first = a[i].world_from_cam, &second = b[i].world_from_cam;
+    if (a[i].frame != b[i].frame || !same_bits(first.rotation.coeffs(), second.rotation.coeffs()) ||
+        !same_bits(first.translation, second.translation)) {
       return false;
     }
   }

@@ -26,7 +26,7 @@ class Walk {
     RgbdImage image{time, frame.image.colour.clone(), frame.image.depth.clone()};
     time += kStep;
     change(image);
-    const TrackingResult result = slam.track(image);
+    TrackingResult result = slam.track(image);
     EXPECT_EQ(result.status == TrackingStatus::ok, result.cam_from_world.has_value());
     EXPECT_EQ(result.status == TrackingStatus::ok, result.map >= 0);
     if (result.status == TrackingStatus::ok) places.push_back(place);
