@@ -2,17 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "core/test_bytes.hpp"
 #include "mapping/test_keyframes.hpp"
 
 namespace stdc {
 namespace {
 
-bool same_bytes(const Pose& a, const Pose& b) {
-  return std::memcmp(a.rotation.coeffs().data(), b.rotation.coeffs().data(), 4 * sizeof(double)) == 0 &&
-         std::memcmp(a.translation.data(), b.translation.data(), 3 * sizeof(double)) == 0;
-}
+using testing::same_bytes;
 
 /// Six keyframes of a room whose poses and landmarks are off by a centimetre or so.
 class LocalBundle : public ::testing::Test {

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "core/test_bytes.hpp"
 #include "mapping/test_keyframes.hpp"
 
 namespace stdc {
@@ -133,7 +132,7 @@ TEST(LocalMapper, GivesTheSameBytesTwice) {
   ASSERT_EQ(a.mapped.map.landmark_ids(), b.mapped.map.landmark_ids());
   for (const LandmarkId id : a.mapped.map.landmark_ids()) {
     const Eigen::Vector3d &p = a.mapped.map.landmark(id).position, &q = b.mapped.map.landmark(id).position;
-    EXPECT_EQ(std::memcmp(p.data(), q.data(), 3 * sizeof(double)), 0);
+    EXPECT_TRUE(testing::same_bytes(p, q));
   }
 }
 

@@ -1,20 +1,20 @@
 // Maps that outlive a session: saved, loaded, gone on with, and only localised in.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <fstream>
 #include <iterator>
-#include <thread>
 
 #include "core/error.hpp"
 #include "core/test_folder.hpp"
 #include "map/map_file.hpp"
+#include "slam/test_load.hpp"
 #include "slam/test_walk.hpp"
 
 namespace stdc {
 namespace {
 
 using testing::Footage;
+using testing::Load;
 using testing::same_bytes;
 using testing::TestFolder;
 using testing::Walk;
@@ -138,19 +138,8 @@ TEST(MapSession, LoopsAndMergesGiveTheSameBytesOnALoadedMachine) {
     return walk.slam.trajectory();
   };
   const auto alone = run();
-  std::atomic<bool> stop = false;
-  std::vector<std::thread> load;
-  load.reserve(4);
-  for (int i = 0; i < 4; ++i) {
-    load.emplace_back([&stop] {
-      double x = 1;
-      while (!stop) x = x * 1.0000001 + 1e-9;
-      EXPECT_GT(x, 0);
-    });
-  }
+  const Load load;
   const auto loaded = run();
-  stop = true;
-  for (std::thread& thread : load) thread.join();
   EXPECT_TRUE(same_bytes(alone, loaded));
 }
 

@@ -3,19 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <opencv2/core.hpp>
-#include <thread>
 #include <vector>
 
 #include "core/error.hpp"
 #include "slam/test_footage.hpp"
+#include "slam/test_load.hpp"
 
 namespace stdc {
 namespace {
 
 using testing::Footage;
+using testing::Load;
 using testing::same_bytes;
 
 Settings small_settings() {
@@ -80,19 +80,8 @@ TEST(Slam, TracksEveryFrameOfADesk) {
 
 TEST(Slam, GivesTheSameBytesOnALoadedMachine) {
   const Outcome alone = run(small_settings(), 60);
-  std::atomic<bool> stop = false;
-  std::vector<std::thread> load;
-  load.reserve(4);
-  for (int i = 0; i < 4; ++i) {
-    load.emplace_back([&stop] {
-      double x = 1;
-      while (!stop) x = x * 1.0000001 + 1e-9;
-      EXPECT_GT(x, 0);
-    });
-  }
+  const Load load;
   const Outcome loaded = run(small_settings(), 60);
-  stop = true;
-  for (std::thread& thread : load) thread.join();
   EXPECT_TRUE(same_bytes(alone.trajectory, loaded.trajectory));
 }
 

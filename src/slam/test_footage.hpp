@@ -1,11 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <thread>
 #include <vector>
 
+#include "core/test_bytes.hpp"
 #include "rendering/rendered_sequence.hpp"
 #include "slam/slam.hpp"
 
@@ -48,22 +46,10 @@ struct Footage {
   }
 };
 
-/// Whether two vectors are equal bit by bit; -0 and 0 are not.
-template <typename Vector>
-bool same_bits(const Vector& a, const Vector& b) {
-  return std::equal(a.data(), a.data() + a.size(), b.data(), [](double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  });
-}
-
 inline bool same_bytes(const std::vector<FramePose>& a, const std::vector<FramePose>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Pose &first = a[i].world_from_cam, &second = b[i].world_from_cam;
-    if (a[i].frame != b[i].frame || !same_bits(first.rotation.coeffs(), second.rotation.coeffs()) ||
-        !same_bits(first.translation, second.translation)) {
-      return false;
-    }
+    if (a[i].frame != b[i].frame || !same_bytes(a[i].world_from_cam, b[i].world_from_cam)) return false;
   }
   return true;
 }

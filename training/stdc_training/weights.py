@@ -72,7 +72,7 @@ def begin_from(path, network):
     if wrong:
         raise ValueError(f"{path}: {wrong[0]} does not fit; "
                          "give --architecture, --divisor and --head of the file")
-    network.load_state_dict({**own, **given})
+    network.load_state_dict(given, strict=False)
 
 
 def normalised(images):
