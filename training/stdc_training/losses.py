@@ -11,7 +11,7 @@ from .network import upsampled
 IGNORE = 255
 # Of the dice term beside the cross-entropy; more makes doubtful places count as people.
 REGION_WEIGHT = 0.5
-HEADS = ("main", "context8", "context16")
+AUXILIARY = ("context8", "context16")
 
 
 def plain_cross_entropy(logits, labels):
@@ -53,9 +53,12 @@ def total_loss(outputs, labels, detail_target, hard=True):
     """
     size = labels.shape[1:]
     entropy = hard_cross_entropy if hard else plain_cross_entropy
-    full = {name: upsampled(outputs[name].float(), size) for name in HEADS}
-    parts = {name: entropy(logits, labels) for name, logits in full.items()}
-    parts["region"] = REGION_WEIGHT * region_loss(full["main"], labels)
+    main = upsampled(outputs["main"].float(), size)
+    parts = {"main": entropy(main, labels)}
+    coarse = labels[:, 1::2, 1::2]  # the auxiliary heads only guide: a quarter of the pixels will do
+    for name in AUXILIARY:
+        parts[name] = entropy(upsampled(outputs[name].float(), coarse.shape[1:]), coarse)
+    parts["region"] = REGION_WEIGHT * region_loss(main, labels)
     known = (labels != IGNORE).float().unsqueeze(1)
     parts["detail"] = detail_loss(
         upsampled(outputs["detail"].float(), size), detail_target(labels), known

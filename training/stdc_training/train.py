@@ -19,10 +19,14 @@ import torch
 from .detail import DetailTarget
 from .ema import Average
 from .losses import total_loss
+from .muon import Muon
 from .network import MODULES, StdcSeg, default_device
 from .quick_check import quick_scores, validation_subset
 from .samples import Samples
 from .weights import begin_from, normalised
+
+
+OPTIMISERS = {"muon": Muon, "adamw": torch.optim.AdamW}
 
 
 def parse(arguments=None):
@@ -38,7 +42,8 @@ def parse(arguments=None):
     parser.add_argument("--images", type=int, default=400_000, help="when the schedule ends")
     parser.add_argument("--fall-from", type=int, default=0, metavar="IMAGES",
                         help="where the learning rate begins to fall towards 0 at --images")
-    parser.add_argument("--rate", type=float, default=2e-3, help="highest learning rate (AdamW)")
+    parser.add_argument("--optimiser", choices=OPTIMISERS, default="muon")
+    parser.add_argument("--rate", type=float, default=2e-3, help="highest learning rate")
     parser.add_argument("--decay", type=float, default=0.02, help="weight decay")
     parser.add_argument("--warmup", type=int, default=300, help="steps")
     parser.add_argument("--seed", type=int, default=1)
@@ -70,21 +75,26 @@ class Trainer:
         self.network.to(self.device)
         self.detail = DetailTarget().to(self.device)
         self.average = Average(self.network)
-        self.optimiser = torch.optim.AdamW(self._groups(), lr=options.rate, betas=(0.9, 0.99))
+        self.optimiser = OPTIMISERS[options.optimiser](self._groups(), lr=options.rate,
+                                                       betas=(0.9, 0.99))
         self.scaler = torch.cuda.amp.GradScaler(enabled=self.device.type == "cuda")
-        self.images, self.steps, self.best = 0, 0, 0.0
+        self.images, self.steps, self.warm_from, self.best = 0, 0, 0, 0.0
         self.run = Path(options.run)
         self.run.mkdir(parents=True, exist_ok=True)
 
     def _groups(self):
-        matrices = [p for p in self.network.parameters() if p.dim() > 1]
+        """Convolutions, classifiers (whose few outputs no orthogonal step suits), all else."""
+        named = [(n, p) for n, p in self.network.named_parameters() if p.dim() > 1]
+        decay = {"weight_decay": self.options.decay}
         others = [p for p in self.network.parameters() if p.dim() <= 1]
-        return [{"params": matrices, "weight_decay": self.options.decay},
-                {"params": others + list(self.detail.parameters()), "weight_decay": 0.0}]
+        return [{"params": [p for n, p in named if "classify" not in n], "orthogonal": True} | decay,
+                {"params": [p for n, p in named if "classify" in n], "orthogonal": False} | decay,
+                {"params": others + list(self.detail.parameters()), "orthogonal": False,
+                 "weight_decay": 0.0}]
 
     def rate(self):
         """Warm-up, then the poly schedule with power 0.9 (the paper, sec. 4.1)."""
-        warm = min(1.0, (self.steps + 1) / self.options.warmup)
+        warm = min(1.0, (self.steps - self.warm_from + 1) / self.options.warmup)
         begin, end = self.options.fall_from, self.options.images
         left = min(1.0, max(0.0, (end - self.images) / (end - begin)))
         return self.options.rate * warm * left**0.9
@@ -114,7 +124,7 @@ class Trainer:
                 "updates": self.average.updates, "detail": self.detail.state_dict(),
                 "optimiser": self.optimiser.state_dict(), "scaler": self.scaler.state_dict(),
                 "images": self.images, "steps": self.steps, "best": self.best,
-                "options": vars(self.options)}
+                "warm_from": self.warm_from, "options": vars(self.options)}
 
     def save(self, name):
         """Write a checkpoint whole or not at all."""
@@ -132,11 +142,15 @@ class Trainer:
         self.average.network.load_state_dict(state["average"])
         self.average.updates = state["updates"]
         self.detail.load_state_dict(state["detail"])
+        self.scaler.load_state_dict(state["scaler"])
+        self.images, self.steps, self.best = state["images"], state["steps"], state["best"]
+        if state["options"].get("optimiser") != self.options.optimiser:
+            self.warm_from = self.steps  # its moments say nothing to another optimiser
+            return
+        self.warm_from = state.get("warm_from", 0)
         self.optimiser.load_state_dict(state["optimiser"])
         for group, fresh in zip(self.optimiser.param_groups, self._groups()):
             group["weight_decay"] = fresh["weight_decay"]
-        self.scaler.load_state_dict(state["scaler"])
-        self.images, self.steps, self.best = state["images"], state["steps"], state["best"]
 
 
 def append(path, row):

@@ -54,6 +54,19 @@ class TrainTest(unittest.TestCase):
             other = second.average.network.state_dict()[name]
             torch.testing.assert_close(tensor, other, rtol=1e-4, atol=1e-5, msg=name)
 
+    def test_another_optimiser_warms_up_anew(self):
+        first = train.Trainer(self.options("changed"))
+        self.run_steps(first, 6)
+        first.save("last.pt")
+        options = self.options("changed")
+        options.optimiser = "adamw"
+        second = train.Trainer(options)
+        second.resume()
+        self.assertEqual((second.images, second.steps), (48, 6))
+        self.assertEqual(second.warm_from, 6)
+        self.assertFalse(second.optimiser.state)
+        self.run_steps(second, 1)
+
     def test_begins_from_a_weights_file(self):
         first = train.Trainer(self.options("given"))
         self.run_steps(first, 3)
