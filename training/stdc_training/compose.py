@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from .views import affine, log_uniform, warp
+from .views import affine, log_uniform, seen_part, warp
 
 # Height of the camera over the height of a standing person: with it the horizon and the
 # person's height in the picture tell where the feet are.
@@ -42,24 +42,28 @@ def paste(rng, frame, label, entry, image, place, size):
     centre_y = y1 + (0.5 - bottom) * source_height
     matrix = affine((centre_x, centre_y), source_height, size, rng.normal(0, 0.05),
                     log_uniform(rng, 0.88, 1.12), rng.random() < 0.5)
-    cut = np.dstack([image[..., :3], (image[..., 3] == 1).astype(np.uint8) * 255])
-    colour, alpha = _warped_cutout(cut, matrix, size)
-    alpha = cv2.GaussianBlur(alpha, (0, 0), rng.uniform(0.5, 1.1)).astype(np.float32) / 255
-    alpha = np.clip((alpha - 0.15) / 0.7, 0, 1)  # a little inwards: less of the old background
+    colour, alpha = _warped_cutout(image, matrix, size)
+    alpha = cv2.GaussianBlur(alpha, (0, 0), rng.uniform(0.5, 1.1))
+    x, y, w, h = cv2.boundingRect(alpha)
+    area = (slice(y, y + h), slice(x, x + w))
+    # A little inwards: less of the old background.
+    alpha = np.clip((alpha[area].astype(np.float32) / 255 - 0.15) / 0.7, 0, 1)
     inside = alpha > 0.5
     if not inside.any():
         return frame, label
-    colour = harmonised(rng, colour, inside, frame)
-    frame = (frame + alpha[..., None] * (colour - frame)).astype(np.uint8)
-    return frame, np.where(inside, np.uint8(1), label)
+    pasted = harmonised(rng, colour[area], inside, frame)
+    frame[area] = (frame[area] + alpha[..., None] * (pasted - frame[area])).astype(np.uint8)
+    label[area][inside] = 1
+    return frame, label
 
 
-def _warped_cutout(cut, matrix, size):
-    colour, _ = warp(cut, matrix, size, cv2.BORDER_REPLICATE)
-    alpha = cv2.warpAffine(np.ascontiguousarray(cut[..., 3]), matrix, size,
-                           flags=cv2.WARP_INVERSE_MAP | cv2.INTER_LINEAR,
-                           borderMode=cv2.BORDER_CONSTANT)
-    return colour, alpha
+def _warped_cutout(image, matrix, size):
+    """Colour and coverage (0..255) of the person of a packed image."""
+    colour, _ = warp(image, matrix, size, cv2.BORDER_REPLICATE)
+    part, matrix = seen_part(image[..., 3], matrix, size, 2)
+    return colour, cv2.warpAffine((part == 1).astype(np.uint8) * 255, matrix, size,
+                                  flags=cv2.WARP_INVERSE_MAP | cv2.INTER_LINEAR,
+                                  borderMode=cv2.BORDER_CONSTANT)
 
 
 def harmonised(rng, colour, inside, frame):

@@ -14,53 +14,76 @@ REGION_WEIGHT = 0.5
 AUXILIARY = ("context8", "context16")
 
 
-def plain_cross_entropy(logits, labels):
-    """Mean cross-entropy over the known pixels."""
-    known = (labels != IGNORE).sum().clamp(min=1)
-    return functional.cross_entropy(logits, labels, ignore_index=IGNORE, reduction="sum") / known
+def soft_labels(labels, stride):
+    """(share of person, share of known pixels), each [n, h/stride, w/stride], of squares."""
+    person, known = (labels == 1).float(), (labels != IGNORE).float()
+    if stride == 1:
+        return person, known
+    both = functional.avg_pool2d(torch.stack([person, known], 1), stride)
+    return both[:, 0], both[:, 1]
 
 
-def hard_cross_entropy(logits, labels, threshold=0.7, least_share=1 / 16):
+def margin(logits, size):
+    """By how much the person wins, [n, h, w] at `size`."""
+    return upsampled(logits[:, 1:].float() - logits[:, :1].float(), size).squeeze(1)
+
+
+def plain_cross_entropy(margins, person, known):
+    """Mean cross-entropy over the known pixels; arguments [n, h, w], see soft_labels."""
+    loss = known * functional.softplus(margins) - person * margins
+    return loss.sum() / known.sum().clamp(min=1)
+
+
+def hard_cross_entropy(margins, person, known, threshold=0.7, least_share=1 / 16):
     """Cross-entropy over hard pixels (online hard example mining; the paper, sec. 4.1).
 
     Hard is a pixel whose right class has a probability below `threshold`; at least `least_share`
-    of the pixels count. logits [n, classes, h, w], labels [n, h, w] with 255 = ignore.
+    of the pixels count. Arguments as for plain_cross_entropy; pixels known in part do not count.
     """
-    loss = functional.cross_entropy(logits, labels, ignore_index=IGNORE, reduction="none")
-    known = loss[labels != IGNORE]
-    if known.numel() == 0:
-        return logits.sum() * 0
-    hard = known[known > -math.log(threshold)]
-    least = max(1, int(known.numel() * least_share))
+    whole = known == 1
+    if not whole.any():
+        return margins.sum() * 0
+    loss = (functional.softplus(margins) - person * margins)[whole]
+    hard = loss[loss > -math.log(threshold)]
+    least = max(1, int(loss.numel() * least_share))
     if hard.numel() < least:
-        hard = torch.topk(known, least, sorted=False).values
+        hard = torch.topk(loss, least, sorted=False).values
     return hard.mean()
 
 
-def region_loss(logits, labels):
-    """Dice of class 1 over the whole batch: it works on the overlap that IoU scores."""
-    known = (labels != IGNORE).float()
-    found = torch.softmax(logits, 1)[:, 1] * known
-    person = (labels == 1).float() * known
+def region_loss(margins, person, known):
+    """Dice of the person over the whole batch: it works on the overlap that IoU scores."""
+    found = torch.sigmoid(margins) * known
     return 1 - (2 * (found * person).sum() + 1) / (found.sum() + person.sum() + 1)
 
 
-def total_loss(outputs, labels, detail_target, hard=True):
+def softened(person, known, margins, share):
+    """The labels mixed with a teacher's probabilities, which weigh `share` of 1."""
+    return (1 - share) * person + share * known * torch.sigmoid(margins)
+
+
+def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None, share=0.5):
     """Sum of the losses of StdcSeg.forward_training and its parts by name.
 
     Without `hard` the cross-entropy is over all pixels: from random weights nearly every pixel is
     hard and many labels near edges are doubtful, and mining those slows the start of a training.
+    Squares of `stride` pixels count as one, with the shares of their labels; the auxiliary heads
+    only guide, and squares twice as long will do for them. teacher: logits [n, 2, h/8, w/8] of
+    another network that soften the labels, see softened.
     """
-    size = labels.shape[1:]
-    entropy = hard_cross_entropy if hard else plain_cross_entropy
-    main = upsampled(outputs["main"].float(), size)
-    parts = {"main": entropy(main, labels)}
-    coarse = labels[:, 1::2, 1::2]  # the auxiliary heads only guide: a quarter of the pixels will do
-    for name in AUXILIARY:
-        parts[name] = entropy(upsampled(outputs[name].float(), coarse.shape[1:]), coarse)
-    parts["region"] = REGION_WEIGHT * region_loss(main, labels)
-    known = (labels != IGNORE).float().unsqueeze(1)
+    parts = {}
+    for name in ("main", *AUXILIARY):
+        person, known = soft_labels(labels, stride if name == "main" else 2 * stride)
+        margins = margin(outputs[name], person.shape[1:])
+        if teacher is not None:
+            person = softened(person, known, margin(teacher, person.shape[1:]), share)
+        if name == "main":
+            region = REGION_WEIGHT * region_loss(margins, person, known)
+        parts[name] = (hard_cross_entropy if hard else plain_cross_entropy)(margins, person, known)
+    parts["region"] = region
+    edges = functional.avg_pool2d(detail_target(labels), stride)
+    known = soft_labels(labels, stride)[1].unsqueeze(1)
     parts["detail"] = detail_loss(
-        upsampled(outputs["detail"].float(), size), detail_target(labels), known
+        upsampled(outputs["detail"].float(), edges.shape[2:]), edges, known
     )
     return sum(parts.values()), parts

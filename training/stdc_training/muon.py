@@ -6,6 +6,7 @@ the scale that lets it share AdamW's learning rate and weight decay.
 """
 
 import torch
+from torch.nn.functional import linear
 
 # Quintic whose iterates push all singular values near 1 (Jordan et al.).
 QUINTIC = (3.4445, -4.7750, 2.0315)
@@ -33,16 +34,33 @@ def orthogonal(matrix, iterations=5):
     return product @ start
 
 
+def orthogonal_bf16(matrix, iterations=5):
+    """The same by products of 16 bit (Jordan et al.), several times as fast where the CPU has them.
+
+    Here the matrix itself is carried along: rounding its square would lose the small values.
+    """
+    if matrix.shape[0] > matrix.shape[1]:
+        return orthogonal_bf16(matrix.T, iterations).T
+    product = (matrix / (matrix.norm() + 1e-7)).bfloat16()
+    a, b, c = QUINTIC
+    for _ in range(iterations):
+        gram = linear(product, product)
+        product = a * product + (b * gram + c * linear(gram, gram)) @ product
+    return product.float()
+
+
 class Muon(torch.optim.Optimizer):
     """Groups with `orthogonal` true hold convolution weights [outputs, inputs, h, w].
 
     Those take steps along the orthogonal factor of their momentum (Nesterov, `momentum`), the
     other groups AdamW steps with `betas`. Every group has `lr` and decoupled `weight_decay`.
+    bf16: see orthogonal_bf16.
     """
 
-    def __init__(self, groups, lr, momentum=0.95, betas=(0.9, 0.99)):
+    def __init__(self, groups, lr, momentum=0.95, betas=(0.9, 0.99), bf16=False):
         super().__init__(groups, {"lr": lr, "momentum": momentum, "betas": betas,
                                   "weight_decay": 0.0, "orthogonal": False})
+        self._orthogonal = orthogonal_bf16 if bf16 else orthogonal
 
     @torch.no_grad()
     def step(self, closure=None):
@@ -59,7 +77,7 @@ class Muon(torch.optim.Optimizer):
         momentum.lerp_(parameter.grad, 1 - beta)
         ahead = parameter.grad.lerp(momentum, beta).flatten(1)
         size = STEP_SIZE * max(ahead.shape) ** 0.5
-        parameter.sub_(orthogonal(ahead.float()).view_as(parameter), alpha=group["lr"] * size)
+        parameter.sub_(self._orthogonal(ahead.float()).view_as(parameter), alpha=group["lr"] * size)
 
     def _adam_step(self, parameter, group):
         state, (first, second) = self.state[parameter], group["betas"]

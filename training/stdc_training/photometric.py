@@ -15,8 +15,8 @@ def distort(rng, image, strength=1.0):
         image = blur(rng, image)
     if rng.random() < 0.35 * strength:
         channels = 1 if rng.random() < 0.3 else 3
-        noise = rng.normal(0, rng.uniform(1, 9), (*image.shape[:2], channels))
-        image = np.clip(image + noise, 0, 255).astype(np.uint8)
+        noise = rng.standard_normal((*image.shape[:2], channels), np.float32) * rng.uniform(1, 9)
+        image = np.clip(image + noise.astype(np.float32), 0, 255).astype(np.uint8)
     if rng.random() < 0.25 * strength:
         quality = int(rng.integers(30, 95))
         _, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])

@@ -23,10 +23,14 @@ from .muon import Muon
 from .network import MODULES, StdcSeg, default_device
 from .quick_check import quick_scores, validation_subset
 from .samples import Samples
-from .weights import begin_from, normalised
+from .weights import begin_from, load, normalised
 
 
-OPTIMISERS = {"muon": Muon, "adamw": torch.optim.AdamW}
+BETAS = (0.9, 0.99)
+OPTIMISERS = {
+    "muon": lambda options, groups: Muon(groups, options.rate, betas=BETAS, bf16=options.bf16),
+    "adamw": lambda options, groups: torch.optim.AdamW(groups, options.rate, betas=BETAS),
+}
 
 
 def parse(arguments=None):
@@ -56,6 +60,13 @@ def parse(arguments=None):
     parser.add_argument("--rendered", help="name of a packed set of rendered frames in DATA")
     parser.add_argument("--start-from", metavar="WEIGHTS",
                         help="weights file that a new training begins with")
+    parser.add_argument("--teacher", metavar="WEIGHTS",
+                        help="weights file of another network whose probabilities soften the labels")
+    parser.add_argument("--teacher-share", type=float, default=0.5, help="their weight, 0..1")
+    parser.add_argument("--loss-stride", type=int, default=1, metavar="PIXELS",
+                        help="squares of so many pixels count as one in the losses")
+    parser.add_argument("--bf16", action="store_true",
+                        help="mixed precision on a CPU: faster where it has AVX-512 BF16 or AMX")
     parser.add_argument("--loaders", type=int, default=1, help="processes that make samples")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--evaluate-seconds", type=float, default=1200)
@@ -69,14 +80,15 @@ class Trainer:
     def __init__(self, options):
         torch.manual_seed(options.seed)
         self.options, self.device = options, default_device()
+        self.mixed = self.device.type == "cuda" or options.bf16
         self.network = StdcSeg(options.architecture, divisor=options.divisor, head=options.head)
         if options.start_from:
             begin_from(options.start_from, self.network)
-        self.network.to(self.device)
+        self.network.to(self.device, memory_format=torch.channels_last)
+        self.teacher = load(options.teacher)[0].to(self.device) if options.teacher else None
         self.detail = DetailTarget().to(self.device)
         self.average = Average(self.network)
-        self.optimiser = OPTIMISERS[options.optimiser](self._groups(), lr=options.rate,
-                                                       betas=(0.9, 0.99))
+        self.optimiser = OPTIMISERS[options.optimiser](options, self._groups())
         self.scaler = torch.cuda.amp.GradScaler(enabled=self.device.type == "cuda")
         self.images, self.steps, self.warm_from, self.best = 0, 0, 0, 0.0
         self.run = Path(options.run)
@@ -105,11 +117,15 @@ class Trainer:
             group["lr"] = self.rate()
         self.network.train()
         pixels = normalised(pixels.to(self.device, non_blocking=True))
+        pixels = pixels.contiguous(memory_format=torch.channels_last)
         labels = labels.to(self.device, non_blocking=True).long()
-        with torch.autocast(self.device.type, enabled=self.device.type == "cuda"):
+        with torch.autocast(self.device.type, enabled=self.mixed):
             outputs = self.network.forward_training(pixels)
+            with torch.no_grad():
+                advice = self.teacher(pixels) if self.teacher else None
         loss, parts = total_loss(outputs, labels, self.detail,
-                                 self.images >= self.options.hard_after)
+                                 self.images >= self.options.hard_after, self.options.loss_stride,
+                                 advice, self.options.teacher_share)
         self.optimiser.zero_grad(set_to_none=True)
         self.scaler.scale(loss).backward()
         self.scaler.step(self.optimiser)

@@ -28,21 +28,35 @@ def affine(centre, source_height, size, angle=0.0, stretch=1.0, mirror=False):
     return np.column_stack([linear, offset])
 
 
+def seen_part(image, matrix, size, margin):
+    """The part of an image [h, w, ...] that a view needs, `margin` around it, and its matrix."""
+    width, height = size
+    corners = matrix @ np.array([[0, width, 0, width], [0, 0, height, height], [1] * 4])
+    low = np.floor(corners.min(1)).astype(int) - margin
+    high = np.ceil(corners.max(1)).astype(int) + margin + 1
+    parts = []
+    for begin, end, length in zip(low, high, image.shape[1::-1]):
+        begin = int(np.clip(begin, 0, length - 2))
+        parts.append(slice(begin, int(np.clip(end, begin + 2, length))))
+    columns, rows = parts
+    return image[rows, columns], matrix - np.array([[0, 0, columns.start], [0, 0, rows.start]])
+
+
 def warp(image, matrix, size, border=cv2.BORDER_REFLECT_101):
     """Colour [h, w, 3] and label [h, w] of a view of a packed [h, w, 4] image.
 
     Strong shrinking is preceded by a blur, because bilinear sampling alone would alias.
     """
-    colour, label = image[..., :3], image[..., 3]
     scale = np.sqrt(abs(np.linalg.det(matrix[:, :2])))
+    image, matrix = seen_part(image, matrix, size, 2 + int(2 * scale))
+    colour = np.ascontiguousarray(image[..., :3])
+    label = np.ascontiguousarray(image[..., 3])
     if scale > 1.3:
         colour = cv2.GaussianBlur(colour, (0, 0), 0.4 * scale)
     flags = cv2.WARP_INVERSE_MAP
     return (
-        cv2.warpAffine(np.ascontiguousarray(colour), matrix, size,
-                       flags=flags | cv2.INTER_LINEAR, borderMode=border),
-        cv2.warpAffine(np.ascontiguousarray(label), matrix, size,
-                       flags=flags | cv2.INTER_NEAREST, borderMode=border),
+        cv2.warpAffine(colour, matrix, size, flags=flags | cv2.INTER_LINEAR, borderMode=border),
+        cv2.warpAffine(label, matrix, size, flags=flags | cv2.INTER_NEAREST, borderMode=border),
     )
 
 

@@ -7,6 +7,7 @@ import torch
 
 from . import safetensors
 from .network import StdcSeg, inference_state
+from .widen import widen
 
 FORMAT = "stdc-weights-1"
 CLASSES = ("background", "person")
@@ -63,16 +64,20 @@ def load(path):
 
 
 def begin_from(path, network):
-    """Give a network for training the weights of a file; the heads of training stay as they are."""
-    trained, _ = load(path)
+    """Give a network for training the weights of a file; the heads of training stay as they are.
+
+    The file's network may be narrower: then the given one begins by computing the same (widen).
+    """
+    trained, entries = load(path)
     own = network.state_dict()
     given = trained.state_dict()
     wrong = [name for name, tensor in given.items()
-             if name not in own or own[name].shape != tensor.shape]
-    if wrong:
-        raise ValueError(f"{path}: {wrong[0]} does not fit; "
-                         "give --architecture, --divisor and --head of the file")
-    network.load_state_dict(given, strict=False)
+             if name not in own or any(a < b for a, b in zip(own[name].shape, tensor.shape))]
+    if wrong or entries["architecture"] != network.architecture:
+        what = wrong[0] if wrong else entries["architecture"]
+        raise ValueError(f"{path}: {what} does not fit; "
+                         "give --architecture of the file, --divisor and --head not below its width")
+    widen(trained, network)
 
 
 def normalised(images):

@@ -6,7 +6,8 @@ import unittest
 import torch
 
 from stdc_training.detail import DetailTarget, detail_loss
-from stdc_training.losses import hard_cross_entropy
+from stdc_training.losses import (hard_cross_entropy, margin, plain_cross_entropy, soft_labels,
+                                   softened)
 
 
 class DetailTest(unittest.TestCase):
@@ -45,28 +46,46 @@ class DetailTest(unittest.TestCase):
         self.assertLess(detail_loss(logits, target, known), 1e-4)
 
 
-class HardCrossEntropyTest(unittest.TestCase):
+class CrossEntropyTest(unittest.TestCase):
     @staticmethod
-    def logits(probabilities):
+    def loss(kind, probabilities, labels, **options):
         p = torch.tensor(probabilities).view(1, 1, -1)
-        return torch.stack([torch.zeros_like(p), torch.log(p / (1 - p))], 1)
+        labels = torch.tensor(labels).view(1, 1, -1)
+        return float(kind(torch.log(p / (1 - p)), *soft_labels(labels, 1), **options))
 
     def test_only_hard_pixels_count(self):
-        labels = torch.ones(1, 1, 4, dtype=torch.long)
-        loss = hard_cross_entropy(self.logits([0.9, 0.95, 0.5, 0.25]), labels)
-        self.assertAlmostEqual(float(loss), (math.log(2) + math.log(4)) / 2, 5)
+        loss = self.loss(hard_cross_entropy, [0.9, 0.95, 0.5, 0.25], [1] * 4)
+        self.assertAlmostEqual(loss, (math.log(2) + math.log(4)) / 2, 5)
 
     def test_the_hardest_share_counts_always(self):
-        labels = torch.ones(1, 1, 4, dtype=torch.long)
-        loss = hard_cross_entropy(self.logits([0.9, 0.95, 0.99, 0.8]), labels, least_share=0.25)
-        self.assertAlmostEqual(float(loss), -math.log(0.8), 5)
+        loss = self.loss(hard_cross_entropy, [0.9, 0.95, 0.99, 0.8], [1] * 4, least_share=0.25)
+        self.assertAlmostEqual(loss, -math.log(0.8), 5)
 
     def test_ignored_pixels(self):
-        labels = torch.tensor([[[255, 255, 1, 255]]])
-        loss = hard_cross_entropy(self.logits([0.1, 0.1, 0.5, 0.1]), labels)
-        self.assertAlmostEqual(float(loss), math.log(2), 5)
-        labels[:] = 255
-        self.assertEqual(float(hard_cross_entropy(self.logits([0.1] * 4), labels)), 0)
+        for kind in (hard_cross_entropy, plain_cross_entropy):
+            self.assertAlmostEqual(self.loss(kind, [0.1, 0.1, 0.5, 0.1], [255, 255, 1, 255]),
+                                   math.log(2), 5)
+            self.assertEqual(self.loss(kind, [0.1] * 4, [255] * 4), 0)
+
+    def test_it_is_the_cross_entropy_of_two_classes(self):
+        torch.manual_seed(5)
+        logits, labels = torch.randn(2, 2, 8, 8), torch.randint(0, 2, (2, 8, 8))
+        loss = plain_cross_entropy(margin(logits, (8, 8)), *soft_labels(labels, 1))
+        torch.testing.assert_close(loss, torch.nn.functional.cross_entropy(logits, labels))
+
+    def test_squares_carry_the_shares_of_their_labels(self):
+        labels = torch.tensor([[[1, 0, 255, 255], [1, 1, 255, 0]]])
+        person, known = soft_labels(labels, 2)
+        self.assertEqual(person.tolist(), [[[0.75, 0.0]]])
+        self.assertEqual(known.tolist(), [[[1.0, 0.25]]])
+        right = plain_cross_entropy(torch.tensor([[[math.log(3.0), -30.0]]]), person, known)
+        other = plain_cross_entropy(torch.tensor([[[math.log(4.0), -30.0]]]), person, known)
+        self.assertLess(float(right), float(other))
+
+    def test_a_teacher_softens_the_labels(self):
+        person, known = soft_labels(torch.tensor([[[1, 0, 255]]]), 1)
+        mixed = softened(person, known, torch.full((1, 1, 3), math.log(3.0)), 0.5)
+        torch.testing.assert_close(mixed, torch.tensor([[[0.875, 0.375, 0.0]]]))
 
 
 if __name__ == "__main__":

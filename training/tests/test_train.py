@@ -79,9 +79,23 @@ class TrainTest(unittest.TestCase):
         for name, tensor in weights.load(file)[0].state_dict().items():
             torch.testing.assert_close(begun.network.state_dict()[name], tensor, msg=name)
             torch.testing.assert_close(begun.average.network.state_dict()[name], tensor, msg=name)
-        options.head = 16
+        options.divisor = 4
+        wider = train.Trainer(options).network.eval()
+        image = torch.randn(1, 3, 32, 64)
+        with torch.no_grad():
+            torch.testing.assert_close(wider(image), weights.load(file)[0](image),
+                                       rtol=1e-4, atol=1e-4)
+        options.divisor = 16
         with self.assertRaisesRegex(ValueError, "does not fit"):
             train.Trainer(options)
+
+    def test_learns_from_a_teacher(self):
+        teacher = train.Trainer(self.options("teacher"))
+        file = self.folder / "teacher.safetensors"
+        weights.save(file, teacher.average.network, weights.metadata(teacher.network, (64, 32), ""))
+        options = self.options("taught")
+        options.teacher, options.teacher_share, options.bf16 = str(file), 1.0, True
+        self.run_steps(train.Trainer(options), 2)
 
     def test_scores_and_export(self):
         trainer = train.Trainer(self.options("scores"))
@@ -94,7 +108,7 @@ class TrainTest(unittest.TestCase):
         image = torch.randn(1, 3, 32, 64)
         trainer.average.network.eval()
         with torch.no_grad():
-            self.assertTrue(torch.equal(network(image), trainer.average.network(image)))
+            torch.testing.assert_close(network(image), trainer.average.network(image))
 
     def test_schedule(self):
         trainer = train.Trainer(self.options("schedule"))
