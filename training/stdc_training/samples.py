@@ -42,13 +42,19 @@ class Samples(torch.utils.data.Dataset):
         for i, entry in enumerate(self._packed.index):
             self._kinds.setdefault(entry["kind"], []).append(i)
             if entry["kind"] == people.EMPTY:
-                self._scenes.setdefault(entry["name"].split("_")[0], []).append(i)
+                self._add_scene(entry["name"].split("_")[0], self._packed, i)
             elif entry["box"] is None:
-                self._scenes.setdefault("elsewhere", []).append(i)
+                self._add_scene("elsewhere", self._packed, i)
             if entry["box"] and entry["kind"] in CUTOUT_SHARES:
                 x0, y0, x1, y1 = entry["box"]
                 if y1 - y0 >= LEAST_CUTOUT_HEIGHT * entry["shape"][0]:
                     self._cutouts.setdefault(entry["kind"], []).append(i)
+        for i, entry in enumerate(self._frames.index if rendered else ()):
+            if entry["box"] is None:
+                self._add_scene("rendered", self._frames, i)
+
+    def _add_scene(self, scene, packed, i):
+        self._scenes.setdefault(scene, []).append((packed, i))
 
     def __len__(self):
         return self._count
@@ -78,8 +84,8 @@ class Samples(torch.utils.data.Dataset):
 
     def _room(self, rng):
         scene = str(rng.choice(list(self._scenes)))  # each scene alike, however many its frames
-        i = int(rng.choice(self._scenes[scene]))
-        return warp(self._packed[i], scene_view(rng, self._packed.index[i], self._size), self._size)
+        packed, i = self._scenes[scene][rng.integers(len(self._scenes[scene]))]
+        return warp(packed[i], scene_view(rng, packed.index[i], self._size), self._size)
 
     def _empty(self, rng):
         return self._room(rng)
