@@ -173,7 +173,7 @@ void add_segment_command(CLI::App& app) {
   command->add_option("--weights", options->weights,
                       "Weights of the network (.safetensors), or an ONNX model; default: those that ship");
   CLI::Option* int8 =
-      command->add_flag("--int8", options->int8, "Compute in 8 bits (default where the CPU has VNNI)");
+      command->add_flag("--int8", options->int8, "Compute in 8 bits (default if the weights are calibrated for it)");
   command->add_flag("--fp32", options->fp32, "Compute in 32-bit floating point")->excludes(int8);
   command->add_option("--frames", options->frames, "Only images A to B-1, counted from 0")->type_name("A:B");
   command

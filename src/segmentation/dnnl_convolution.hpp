@@ -17,12 +17,9 @@ class DnnlEngine {
   DnnlEngine(const DnnlEngine&) = delete;
   DnnlEngine& operator=(const DnnlEngine&) = delete;
 
-  /// True if the processor multiplies 8-bit numbers in one step (AVX-512 VNNI or AVX-VNNI), as far as oneDNN
-  /// is allowed to use it (ONEDNN_MAX_CPU_ISA).
-  static bool has_fast_int8();
-  /// Largest activation level of int8: 255 where products of 8-bit numbers are summed in 32 bits. Elsewhere
-  /// pairs of products are summed in 16 bits with saturation (VPMADDUBSW), and 127 keeps clear of that:
-  /// 2 * 127 * 127 < 2^15.
+  /// Largest activation level of int8: 255 where products of 8-bit numbers are summed in 32 bits (AVX-512
+  /// VNNI, if ONEDNN_MAX_CPU_ISA allows it). Elsewhere pairs of products are summed in 16 bits with
+  /// saturation (VPMADDUBSW), and 127 keeps clear of that: 2 * 127 * 127 < 2^15.
   static int activation_levels();
   /// Channels per block of the layout that oneDNN likes best for fp32: 16 with AVX-512, else 8.
   static int preferred_block();

@@ -8,21 +8,17 @@ namespace stdc {
 
 using dnnl::memory;
 
-bool DnnlEngine::has_fast_int8() {
+int DnnlEngine::activation_levels() {
   switch (dnnl::get_effective_cpu_isa()) {
     case dnnl::cpu_isa::sse41:
     case dnnl::cpu_isa::avx:
     case dnnl::cpu_isa::avx2:
+    case dnnl::cpu_isa::avx2_vnni:  // version 2.6 has no such kernels for some layers: right for all
     case dnnl::cpu_isa::avx512_core:
-      return false;
+      return 127;
     default:
-      return true;
+      return 255;
   }
-}
-
-int DnnlEngine::activation_levels() {
-  // Kernels for AVX-VNNI do not exist for all layers in version 2.6: the 7-bit levels are right for all.
-  return has_fast_int8() && dnnl::get_effective_cpu_isa() != dnnl::cpu_isa::avx2_vnni ? 255 : 127;
 }
 
 int DnnlEngine::preferred_block() {

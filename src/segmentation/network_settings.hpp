@@ -23,7 +23,7 @@ struct NetworkSettings {
 
   template <typename Self, typename Visit>
   static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"precision", "", "How the network computes; automatic: int8 where the CPU has VNNI"},
+    visit(Setting{"precision", "", "How the network computes; automatic: int8 if the weights are calibrated"},
           self.precision);
     visit(Setting{"threads", "count", "Threads of inference; above 1 OMP_WAIT_POLICY=PASSIVE must be set", 1,
                   64},

@@ -39,8 +39,7 @@ int choose_block(const NetworkWeights& weights, NetworkPrecision precision) {
 
 NetworkPrecision choose_precision(const NetworkWeights& weights, NetworkPrecision wanted) {
   if (wanted == NetworkPrecision::automatic) {
-    return DnnlEngine::has_fast_int8() && weights.calibrated() ? NetworkPrecision::int8
-                                                               : NetworkPrecision::fp32;
+    return weights.calibrated() ? NetworkPrecision::int8 : NetworkPrecision::fp32;
   }
   if (wanted == NetworkPrecision::int8 && !weights.calibrated()) {
     throw Error(weights.file, "has no activation ranges for all layers, which int8 needs",

@@ -188,11 +188,10 @@ TEST(StdcNetwork, ExtremeImagesStayFinite) {
   }
 }
 
-TEST(StdcNetwork, AutomaticIsInt8WhereItIsFast) {
+TEST(StdcNetwork, AutomaticIsInt8IfTheWeightsAreCalibrated) {
   PytorchCase truth("tiny");
   const StdcNetwork network(truth.weights, truth.size, NetworkPrecision::automatic);
-  EXPECT_EQ(network.precision(),
-            DnnlEngine::has_fast_int8() ? NetworkPrecision::int8 : NetworkPrecision::fp32);
+  EXPECT_EQ(network.precision(), NetworkPrecision::int8);
   truth.weights.head.input_range.reset();
   const StdcNetwork uncalibrated(truth.weights, truth.size, NetworkPrecision::automatic);
   EXPECT_EQ(uncalibrated.precision(), NetworkPrecision::fp32);

@@ -11,7 +11,7 @@ import torch
 from . import people
 from .compose import compose, hide
 from .photometric import distort
-from .views import person_view, scene_view, warp
+from .views import person_view, scene_view, warp, whole_view
 
 # Shares of the kinds of samples; rooms (all but photos) are over half of what the network sees.
 SHARES = {"photo": 0.44, "composed": 0.38, "empty": 0.18}
@@ -21,6 +21,8 @@ PHOTO_SHARES = {"ccp_masked": 0.25, "ccp_teacher": 0.15, "lspet_teacher": 0.28,
                 "voc_teacher": 0.2, "human291_masked": 0.12}
 CUTOUT_SHARES = {"ccp_masked": 0.45, "ccp_teacher": 0.2, "lspet_teacher": 0.2,
                  "human291_masked": 0.15}
+# Of the photos, how many are seen whole.
+WHOLE_SHARE = 0.2
 # A person smaller than this (share of the packed image's height) makes a poor cutout.
 LEAST_CUTOUT_HEIGHT = 0.35
 
@@ -74,6 +76,9 @@ class Samples(torch.utils.data.Dataset):
     def _photo(self, rng):
         i = self._pick(rng, self._kinds, PHOTO_SHARES)
         entry = self._packed.index[i]
+        if rng.random() < WHOLE_SHARE:  # as a program sees a photo that it fits into its input
+            return warp(self._packed[i], whole_view(rng, entry, self._size), self._size,
+                        cv2.BORDER_CONSTANT, int(rng.integers(256)))
         by_person = entry["box"] is not None and rng.random() < 0.75
         return warp(self._packed[i], self._view(rng, entry, by_person), self._size)
 

@@ -42,9 +42,10 @@ def seen_part(image, matrix, size, margin):
     return image[rows, columns], matrix - np.array([[0, 0, columns.start], [0, 0, rows.start]])
 
 
-def warp(image, matrix, size, border=cv2.BORDER_REFLECT_101):
+def warp(image, matrix, size, border=cv2.BORDER_REFLECT_101, grey=0):
     """Colour [h, w, 3] and label [h, w] of a view of a packed [h, w, 4] image.
 
+    With cv2.BORDER_CONSTANT what lies outside the image is `grey` and its label unknown.
     Strong shrinking is preceded by a blur, because bilinear sampling alone would alias.
     """
     scale = np.sqrt(abs(np.linalg.det(matrix[:, :2])))
@@ -55,8 +56,10 @@ def warp(image, matrix, size, border=cv2.BORDER_REFLECT_101):
         colour = cv2.GaussianBlur(colour, (0, 0), 0.4 * scale)
     flags = cv2.WARP_INVERSE_MAP
     return (
-        cv2.warpAffine(colour, matrix, size, flags=flags | cv2.INTER_LINEAR, borderMode=border),
-        cv2.warpAffine(label, matrix, size, flags=flags | cv2.INTER_NEAREST, borderMode=border),
+        cv2.warpAffine(colour, matrix, size, flags=flags | cv2.INTER_LINEAR, borderMode=border,
+                       borderValue=(grey,) * 3),
+        cv2.warpAffine(label, matrix, size, flags=flags | cv2.INTER_NEAREST, borderMode=border,
+                       borderValue=255),
     )
 
 
@@ -91,6 +94,13 @@ def scene_view(rng, entry, size, largest=1.15):
     centre = (rng.uniform(0, width), rng.uniform(0, height))
     centre = _kept_inside(centre, source_height, entry["shape"], size, 0.1)
     return affine(centre, source_height, size, **_pose(rng))
+
+
+def whole_view(rng, entry, size):
+    """A view of the whole image, with margins where its shape is another."""
+    height, width = entry["shape"]
+    source_height = max(height, width * size[1] / size[0]) * rng.uniform(1.0, 1.1)
+    return affine((width / 2, height / 2), source_height, size, mirror=rng.random() < 0.5)
 
 
 def _kept_inside(centre, source_height, shape, size, overhang):
