@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 
 # More enlargement than this shows nothing but blur.
-LARGEST_ENLARGEMENT = 2.2
+LARGEST_ENLARGEMENT = 3.0
 
 
 def log_uniform(rng, low, high):
