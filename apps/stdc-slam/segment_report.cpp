@@ -45,7 +45,9 @@ std::string segment_summary(const std::vector<SegmentedImage>& images) {
   std::vector<double> wall, cpu;
   std::vector<MaskScores> scores;
   MaskCounts sum;
+  double dynamic = 0;
   for (const SegmentedImage& image : images) {
+    dynamic += image.dynamic_share / static_cast<double>(images.size());
     wall.push_back(image.wall_ms);
     cpu.push_back(image.cpu_ms);
     if (!image.counts) continue;
@@ -56,9 +58,9 @@ std::string segment_summary(const std::vector<SegmentedImage>& images) {
   const double median = quantile(wall, 0.5);
   std::string text = fmt::format(
       "images      {}\ntime        {:.1f} ms median, {:.1f} ms p95 ({:.1f} ms CPU median, {:.1f} ms least)\n"
-      "rate        {:.1f} images per second at the median\n",
+      "rate        {:.1f} images per second at the median\ndynamic     {:.2f} % of the pixels\n",
       images.size(), median, quantile(wall, kP95), quantile(cpu, 0.5), quantile(cpu, 0),
-      1000 / std::max(median, 1e-6));
+      1000 / std::max(median, 1e-6), 100 * dynamic);
   if (scores.empty()) return text;
   text += fmt::format("scored      {} images\n{:<11}{:>8}{:>12}{:>9}{:>13}\n", scores.size(), "", "IoU",
                       "precision", "recall", "boundary F");
