@@ -10,28 +10,32 @@ from .views import affine, log_uniform, seen_part, warp
 CAMERA_SHARE = 0.74
 
 
-def compose(rng, frame, cutouts, size, heights=(0.3, 2.6)):
+def compose(rng, frame, cutouts, size, heights=(0.3, 2.6), downward=0.0):
     """Paste each cutout (entry, packed image) onto the RGB frame; return (image, label).
 
     Small, that is distant, people first, so that near ones hide them. Their heights
-    are within `heights` of the frame's.
+    are within `heights` of the frame's. downward: how many are seen by a camera that looks down,
+    on a desk say, without their heads.
     """
     label = np.zeros(frame.shape[:2], np.uint8)
     horizon = rng.uniform(0.3, 0.65)
     heights = np.sort([log_uniform(rng, *heights) for _ in cutouts])
     for (entry, image), height in zip(cutouts, heights):
-        frame, label = paste(rng, frame, label, entry, image, (height, horizon), size)
+        frame, label = paste(rng, frame, label, entry, image, (height, horizon), size, downward)
     return frame, label
 
 
-def paste(rng, frame, label, entry, image, place, size):
+def paste(rng, frame, label, entry, image, place, size, downward=0.0):
     """Paste one person of `place` = (height, horizon) in shares of the frame's height."""
     width, height = size
     share, horizon = place
     x0, y0, x1, y1 = entry["box"]
     bottom = horizon + CAMERA_SHARE * share + rng.normal(0, 0.08)
-    if rng.random() < 0.25:  # seated, crouching, on a step: the head at any height
+    way = rng.random()
+    if way < 0.25:  # seated, crouching, on a step: the head at any height
         bottom = share + rng.uniform(-0.1, 0.6)
+    elif way > 1 - downward:  # the head is above the frame
+        bottom = share * rng.uniform(0.25, 0.85)
     if y1 >= entry["shape"][0] - 2:  # cut off by the photo: the frame has to cut it off too
         bottom = max(bottom, 1.0)
     source_height = (y1 - y0) / share

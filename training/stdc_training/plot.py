@@ -41,7 +41,8 @@ def main():
             right.plot(table["images"], table[name], marker="o", markersize=3, label=name)
         right.plot(table["images"], [10 * v for v in table["empty"]], "--",
                    label="empty rooms: 10 x share called person")
-    right.set(title="validation subsets, 256x192: IoU", xlabel="images seen", ylim=(0, 1))
+    right.set(title="validation subsets, at the training's size: IoU", xlabel="images seen",
+              ylim=(0, 1))
     right.grid(alpha=0.3)
     right.legend()
     figure.savefig(options.output, dpi=110)

@@ -6,8 +6,8 @@ from . import evaluation_sets, people
 from .predict import intersection_over_union, overlap, person_maps
 
 
-def validation_subset(folder, size=(256, 192)):
-    """Small sets by name, enough to see where a training goes."""
+def validation_subset(folder, size):
+    """Small sets by name, enough to see where a training goes; at the size of the training."""
     packed = people.Packed(folder, "validation")
     return {
         "photos": evaluation_sets.photos(packed, ("ccp_masked", "human291_masked"), size, 3),

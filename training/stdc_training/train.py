@@ -61,7 +61,7 @@ def parse(arguments=None):
     parser.add_argument("--start-from", metavar="WEIGHTS",
                         help="weights file that a new training begins with")
     parser.add_argument("--teacher", metavar="WEIGHTS",
-                        help="weights file of another network whose probabilities soften the labels")
+                        help="another network, whose probabilities soften the labels")
     parser.add_argument("--teacher-share", type=float, default=0.5, help="their weight, 0..1")
     parser.add_argument("--loss-stride", type=int, default=1, metavar="PIXELS",
                         help="squares of so many pixels count as one in the losses")
@@ -256,7 +256,7 @@ def main():
     torch.set_num_threads(options.threads)
     trainer = Trainer(options)
     trainer.resume()
-    train(trainer, validation_subset(options.data), Stop())
+    train(trainer, validation_subset(options.data, (options.width, options.height)), Stop())
 
 
 if __name__ == "__main__":

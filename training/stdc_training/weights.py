@@ -75,8 +75,8 @@ def begin_from(path, network):
              if name not in own or any(a < b for a, b in zip(own[name].shape, tensor.shape))]
     if wrong or entries["architecture"] != network.architecture:
         what = wrong[0] if wrong else entries["architecture"]
-        raise ValueError(f"{path}: {what} does not fit; "
-                         "give --architecture of the file, --divisor and --head not below its width")
+        raise ValueError(f"{path}: {what} does not fit; give --architecture of the file and "
+                         "--divisor and --head not below its width")
     widen(trained, network)
 
 
