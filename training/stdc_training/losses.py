@@ -71,19 +71,21 @@ def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None
     only guide, and squares twice as long will do for them. teacher: logits [n, 2, h/8, w/8] of
     another network that soften the labels, see softened.
     """
-    parts = {}
-    for name in ("main", *AUXILIARY):
-        person, known = soft_labels(labels, stride if name == "main" else 2 * stride)
-        margins = margin(outputs[name], person.shape[1:])
+    def targets(stride):
+        person, known = soft_labels(labels, stride)
         if teacher is not None:
             person = softened(person, known, margin(teacher, person.shape[1:]), share)
-        if name == "main":
-            region = REGION_WEIGHT * region_loss(margins, person, known)
-        parts[name] = (hard_cross_entropy if hard else plain_cross_entropy)(margins, person, known)
-    parts["region"] = region
+        return person, known
+
+    entropy = hard_cross_entropy if hard else plain_cross_entropy
+    fine, coarse = targets(stride), targets(2 * stride)
+    size = fine[0].shape[1:]
+    main = margin(outputs["main"], size)
+    parts = {"main": entropy(main, *fine)}
+    for name in AUXILIARY:
+        parts[name] = entropy(margin(outputs[name], coarse[0].shape[1:]), *coarse)
+    parts["region"] = REGION_WEIGHT * region_loss(main, *fine)
     edges = functional.avg_pool2d(detail_target(labels), stride)
-    known = soft_labels(labels, stride)[1].unsqueeze(1)
-    parts["detail"] = detail_loss(
-        upsampled(outputs["detail"].float(), edges.shape[2:]), edges, known
-    )
+    detail = upsampled(outputs["detail"].float(), size)
+    parts["detail"] = detail_loss(detail, edges, fine[1].unsqueeze(1))
     return sum(parts.values()), parts

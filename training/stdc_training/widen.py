@@ -32,9 +32,9 @@ def _fill_statistics(narrow, wide, outputs):
         getattr(wide, name)[outputs] = getattr(narrow, name)
 
 
-def _fill_unit(narrow, wide, inputs, outputs=None):
+def _fill_unit(narrow, wide, inputs):
     """A ConvX or a ChannelGate; returns the places of its outputs."""
-    outputs = torch.arange(narrow.conv.out_channels) if outputs is None else outputs
+    outputs = torch.arange(narrow.conv.out_channels)
     _fill_convolution(narrow.conv, wide.conv, inputs, outputs)
     _fill_statistics(narrow.bn, wide.bn, outputs)
     return outputs
@@ -96,9 +96,8 @@ def widen(narrow, wide):
     _fill(one.arm4, other.arm4, stages["stage4"])
     for head in ("head5", "head4"):
         _fill(getattr(one, head), getattr(other, head), context)
-    wide_detail = wide.backbone.stage3[-1]
-    detail_width = sum(block.conv.out_channels for block in wide_detail.blocks)
-    fused = _fill(narrow.ffm, wide.ffm, torch.cat([stages["stage3"], detail_width + context]))
+    before_context = wide.ffm.conv.conv.in_channels - other.head4.conv.out_channels
+    fused = _fill(narrow.ffm, wide.ffm, torch.cat([stages["stage3"], before_context + context]))
     _fill(narrow.head, wide.head, fused)
     sources = {"auxiliary8": context, "auxiliary16": context, "detail": stages["stage3"]}
     for name, channels in sources.items():
