@@ -4,10 +4,10 @@
 // Use --benchmark_repetitions=9 --benchmark_report_aggregates_only=true for medians.
 #include <benchmark/benchmark.h>
 
-#include "estimation/synthetic_scene.hpp"
+#include "estimation/test_synthetic_scene.hpp"
 
 #if defined(STDC_HAVE_CERES)
-#include "estimation/ceres_reference.hpp"
+#include "estimation/test_ceres_reference.hpp"
 #endif
 
 namespace stdc {
@@ -16,7 +16,7 @@ namespace {
 constexpr double kStopAt = 1e-4;  // relative decrease of the cost
 
 struct PoseTask {
-  synthetic::PoseScene scene;
+  test::PoseScene scene;
   Pose initial;
 };
 
@@ -24,11 +24,11 @@ struct PoseTask {
 std::vector<PoseTask> pose_tasks(int observations) {
   std::vector<PoseTask> tasks;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-    synthetic::Options options;
+    test::Options options;
     options.seed = seed;
     Random random(options.seed + 100);
-    synthetic::PoseScene scene = synthetic::make_pose_scene(options, observations);
-    const Pose initial = synthetic::disturbed(scene.truth, random, 0.02, 0.02);
+    test::PoseScene scene = test::make_pose_scene(options, observations);
+    const Pose initial = test::disturbed(scene.truth, random, 0.02, 0.02);
     tasks.push_back({std::move(scene), initial});
   }
   return tasks;
@@ -45,16 +45,16 @@ void optimise_pose_in_rounds(benchmark::State& state) {
   }
 }
 
-synthetic::Scene bundle_scene(const benchmark::State& state) {
-  synthetic::Options options;
+test::Scene bundle_scene(const benchmark::State& state) {
+  test::Options options;
   options.poses = static_cast<int>(state.range(0));
   options.fixed_poses = static_cast<int>(state.range(1));
   options.points = static_cast<int>(state.range(2));
-  return synthetic::make_scene(options);
+  return test::make_scene(options);
 }
 
 void run_bundle(benchmark::State& state, const BundleSettings& settings) {
-  const synthetic::Scene scene = bundle_scene(state);
+  const test::Scene scene = bundle_scene(state);
   BundleResult result;
   for (auto _ : state) {
     state.PauseTiming();
@@ -97,7 +97,7 @@ void pose_by_ceres(benchmark::State& state) {
 }
 
 void bundle_by_ceres(benchmark::State& state) {
-  const synthetic::Scene scene = bundle_scene(state);
+  const test::Scene scene = bundle_scene(state);
   const ceres::LinearSolverType solver = state.range(0) > 100 ? ceres::SPARSE_SCHUR : ceres::DENSE_SCHUR;
   ceres::Solver::Summary summary;
   for (auto _ : state) {

@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "datasets/tum_sequence.hpp"
-#include "features/blur.hpp"
-#include "features/brief.hpp"
-#include "features/candidates.hpp"
+#include "features/description/brief.hpp"
+#include "features/detection/blur.hpp"
+#include "features/detection/candidates.hpp"
+#include "features/detection/fast.hpp"
+#include "features/detection/harris.hpp"
+#include "features/detection/pyramid.hpp"
+#include "features/detection/quadtree.hpp"
 #include "features/extractor.hpp"
-#include "features/fast.hpp"
-#include "features/harris.hpp"
-#include "features/pyramid.hpp"
-#include "features/quadtree.hpp"
+#include "input/layouts/tum_sequence.hpp"
 
 namespace stdc {
 namespace {
@@ -44,12 +44,12 @@ cv::Mat synthetic_image() {
 }
 
 std::vector<cv::Mat> load_images() {
-  constexpr std::size_t kMost = 60;
+  constexpr std::size_t kMax = 60;
   const char* folder = std::getenv("STDC_SEQUENCE");
   if (folder == nullptr) return {synthetic_image()};
   const TumSequence sequence(folder);
   const Camera camera = find_camera(sequence, {});
-  const std::size_t step = std::max<std::size_t>(1, sequence.frames().size() / kMost);
+  const std::size_t step = std::max<std::size_t>(1, sequence.frames().size() / kMax);
   std::vector<cv::Mat> images;
   for (std::size_t i = 0; i < sequence.frames().size(); i += step) {
     cv::Mat image = load_frame(sequence.frames()[i], camera).colour;

@@ -5,19 +5,19 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
-#include "datasets/tum_sequence.hpp"
-#include "rendering/rendered_sequence.hpp"
+#include "input/layouts/tum_sequence.hpp"
+#include "simulation/sequence/rendered_sequence.hpp"
 
 namespace stdc {
 namespace {
 
-constexpr std::size_t kMostRead = 300;  // 0.9 MB each
-constexpr int kRendered = 160;          // some 10 a second
+constexpr std::size_t kMaxRead = 300;  // 0.9 MB each
+constexpr int kRendered = 160;         // some 10 a second
 
 Footage read(const char* folder) {
   const TumSequence sequence(folder);
   Footage footage{find_camera(sequence, {}), {}};
-  const std::size_t count = std::min(kMostRead, sequence.frames().size());
+  const std::size_t count = std::min(kMaxRead, sequence.frames().size());
   for (std::size_t i = 0; i < count; ++i) {
     footage.frames.push_back(load_frame(sequence.frames()[i], footage.camera, ColourMode::grey));
   }

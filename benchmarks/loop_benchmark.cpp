@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "atlas/test_scene.hpp"
 #include "loop_closing/full_bundle.hpp"
 #include "loop_closing/loop_closer.hpp"
-#include "map/test_scene.hpp"
 
 namespace stdc {
 namespace {
@@ -59,22 +59,22 @@ struct Round {
 
   /// @param again  points that the first keyframes saw are taken for new ones
   void add(const test::View& view, const Pose& drift, std::vector<LandmarkId>& table, bool again) {
-    Map& map = mapped.map;
+    Atlas& atlas = mapped.atlas;
     const KeyframeId id = mapped.add_bare(view);
     for (int i = 0; i < view.features->size(); ++i) {
       const int point = view.points[i];
       const LandmarkId known = mapped.landmarks[point];
-      const bool recent = known.valid() && map.landmark(known).created_by.value > 4 * kAgain;
+      const bool recent = known.valid() && atlas.landmark(known).created_by.value > 4 * kAgain;
       LandmarkId& landmark = again && recent ? mapped.landmarks[point] : table[point];
-      if (!landmark.valid()) landmark = map.add_landmark(drift * mapped.scene.points[point].position, id);
-      map.observe(id, i, landmark);
-      map.refresh(landmark);
+      if (!landmark.valid()) landmark = atlas.add_landmark(drift * mapped.scene.points[point].position, id);
+      atlas.observe(id, i, landmark);
+      atlas.refresh(landmark);
     }
-    map.update_covisibility(id);
+    atlas.update_covisibility(id);
   }
   LoopTools tools() const { return {mapped.scene.camera, {}, {}, {}, {}}; }
   VerifiedLoop loop() const {
-    const auto found = verify_loop(mapped.scene.camera, mapped.map, current, matched, {}, {}, {});
+    const auto found = verify_loop(mapped.scene.camera, mapped.atlas, current, matched, {}, {}, {});
     if (!found) throw std::runtime_error("the loop is not found");
     return *found;
   }
@@ -86,9 +86,9 @@ void close_loop(benchmark::State& state) {
     Round round(static_cast<int>(state.range(0)));
     const VerifiedLoop loop = round.loop();
     state.ResumeTiming();
-    const LoopCorrection done = close_loop(round.tools(), round.mapped.map, loop);
+    const LoopCorrection done = close_loop(round.tools(), round.mapped.atlas, loop);
     state.counters["keyframes"] = done.keyframes;
-    state.counters["landmarks"] = round.mapped.map.landmark_count();
+    state.counters["landmarks"] = round.mapped.atlas.landmark_count();
     state.counters["fused"] = done.fused;
     state.counters["drift_m"] = done.drift;
   }
@@ -105,8 +105,8 @@ void full_bundle(benchmark::State& state) {
   for (auto step : state) {
     state.PauseTiming();
     Round round(static_cast<int>(state.range(0)));
-    close_loop(round.tools(), round.mapped.map, round.loop());
-    FullBundle bundle(round.mapped.map, 0);
+    close_loop(round.tools(), round.mapped.atlas, round.loop());
+    FullBundle bundle(round.mapped.atlas, 0);
     state.ResumeTiming();
     bundle.solve(round.mapped.scene.camera, {}, {10, 10, 1e-4});
     state.counters["observations"] = bundle.observations();
@@ -116,12 +116,12 @@ BENCHMARK(full_bundle)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->MinTi
 
 void copy_and_take_in_full_bundle(benchmark::State& state) {
   Round round(static_cast<int>(state.range(0)));
-  FullBundle solved(round.mapped.map, 0);
+  FullBundle solved(round.mapped.atlas, 0);
   solved.solve(round.mapped.scene.camera, {}, {1, 0, 1e-4});
   for (auto step : state) {
-    const FullBundle copy(round.mapped.map, 0);
+    const FullBundle copy(round.mapped.atlas, 0);
     benchmark::DoNotOptimize(copy.observations());
-    solved.apply(round.mapped.map);
+    solved.apply(round.mapped.atlas);
   }
 }
 BENCHMARK(copy_and_take_in_full_bundle)->Arg(500)->Unit(benchmark::kMillisecond)->MinTime(0.01);
@@ -129,10 +129,10 @@ BENCHMARK(copy_and_take_in_full_bundle)->Arg(500)->Unit(benchmark::kMillisecond)
 void recognise_place(benchmark::State& state) {
   const Round round(static_cast<int>(state.range(0)));
   LoopCloser closer(round.tools(), {});
-  closer.enter_all(round.mapped.map);
+  closer.enter_all(round.mapped.atlas);
   const test::View& view = round.mapped.views[30];
   for (auto step : state)
-    benchmark::DoNotOptimize(closer.locate(round.mapped.map, {*view.features, view.motion}));
+    benchmark::DoNotOptimize(closer.locate(round.mapped.atlas, {*view.features, view.motion}));
 }
 BENCHMARK(recognise_place)->Arg(500)->Unit(benchmark::kMillisecond);
 

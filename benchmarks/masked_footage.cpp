@@ -5,8 +5,8 @@
 
 #include "core/image_codec.hpp"
 #include "core/text_file.hpp"
-#include "datasets/tum_sequence.hpp"
-#include "rendering/rendered_sequence.hpp"
+#include "input/layouts/tum_sequence.hpp"
+#include "simulation/sequence/rendered_sequence.hpp"
 
 namespace stdc {
 namespace {
@@ -31,14 +31,14 @@ std::vector<MaskedFrame> rendered() {
 }  // namespace
 
 std::vector<MaskedFrame> load_masked_footage() {
-  constexpr std::size_t kMost = 300;
+  constexpr std::size_t kMax = 300;
   const char* folder = std::getenv("STDC_MASKED_SEQUENCE");
   if (folder == nullptr) return rendered();
   const TumSequence sequence(folder);
   const Camera camera = find_camera(sequence, {});
   std::vector<MaskedFrame> frames;
   for (const SequenceFrame& listed : sequence.frames()) {
-    if (frames.size() == kMost) break;
+    if (frames.size() == kMax) break;
     const RgbdImage image = load_frame(listed, camera, ColourMode::grey);
     const std::string bytes =
         read_file(sequence.folder() / "mask" / listed.colour.filename(), "render it with stdc-slam");

@@ -6,15 +6,14 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "segmentation/network_segmenter.hpp"
-#include "segmentation/random_weights.hpp"
+#include "segmentation/network/network_segmenter.hpp"
+#include "segmentation/network/test_random_weights.hpp"
 
 namespace stdc {
 namespace {
 
 const NetworkWeights& weights_of(bool stdc2) {
-  static const NetworkWeights one = testing::RandomWeights(false).read(),
-                              two = testing::RandomWeights(true).read();
+  static const NetworkWeights one = test::RandomWeights(false).read(), two = test::RandomWeights(true).read();
   return stdc2 ? two : one;
 }
 

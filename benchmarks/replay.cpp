@@ -36,7 +36,7 @@ void Replay::begin_anew() {
   tracker_ = make_tracker(camera(), settings_);
   mapper_ = make_mapper(camera(), settings_);
   recent_.clear();
-  map_ = Map();
+  atlas_ = Atlas();
   frame_ = extract();
   map_keyframe(make_keyframe());
   take_in();
@@ -58,7 +58,7 @@ void Replay::look() {
   }
   frame_ = extract();
   local_map_ =
-      make_local_map(map_, tracker_.last().landmarks, last_keyframe_, settings_.tracking.local_keyframes);
+      make_local_map(atlas_, tracker_.last().landmarks, last_keyframe_, settings_.tracking.local_keyframes);
 }
 
 std::optional<KeyframeId> Replay::track() {
@@ -68,7 +68,7 @@ std::optional<KeyframeId> Replay::track() {
   }
   tracker_.remember(frame_, local_map_.reference, local_map_.reference_from_world);
   const int since = frame_.index - last_keyframe_frame_;
-  if (!needs_keyframe(camera(), frame_, local_map_, since, map_.keyframe_count(), settings_.tracking)) {
+  if (!needs_keyframe(camera(), frame_, local_map_, since, atlas_.keyframe_count(), settings_.tracking)) {
     return {};
   }
   return make_keyframe();
@@ -83,43 +83,43 @@ KeyframeId Replay::next_keyframe() {
 }
 
 KeyframeId Replay::make_keyframe() {
-  tracker_.flush_counts(map_);
-  last_keyframe_ = insert_keyframe(map_, camera(), settings_.noise, frame_, settings_.tracking);
+  tracker_.flush_counts(atlas_);
+  last_keyframe_ = insert_keyframe(atlas_, camera(), settings_.noise, frame_, settings_.tracking);
   last_keyframe_frame_ = frame_.index;
   tracker_.remember(frame_, last_keyframe_, frame_.cam_from_world);
   return last_keyframe_;
 }
 
-MappingOutcome Replay::map_keyframe(KeyframeId keyframe) { return mapper_.process(map_, keyframe); }
+MappingOutcome Replay::map_keyframe(KeyframeId keyframe) { return mapper_.process(atlas_, keyframe); }
 
 void Replay::prepare_bundle(KeyframeId keyframe) {
-  const std::size_t made_by_mapper = map_.landmark_id_limit();
-  for (const LandmarkId landmark : map_.keyframe(keyframe).landmarks) {
+  const std::size_t made_by_mapper = atlas_.landmark_id_limit();
+  for (const LandmarkId landmark : atlas_.keyframe(keyframe).landmarks) {
     if (!landmark.valid()) continue;
-    map_.refresh(landmark);
-    if (map_.landmark(landmark).created_by == keyframe) recent_.push_back(landmark);
+    atlas_.refresh(landmark);
+    if (atlas_.landmark(landmark).created_by == keyframe) recent_.push_back(landmark);
   }
-  map_.update_covisibility(keyframe);
-  cull_landmarks(map_, recent_, keyframe, settings_.mapping);
-  create_landmarks(map_, keyframe, camera(), settings_.noise, settings_.mapping);
-  for (auto id = static_cast<std::uint32_t>(made_by_mapper); id < map_.landmark_id_limit(); ++id) {
+  atlas_.update_covisibility(keyframe);
+  cull_landmarks(atlas_, recent_, keyframe, settings_.mapping);
+  create_landmarks(atlas_, keyframe, camera(), settings_.noise, settings_.mapping);
+  for (auto id = static_cast<std::uint32_t>(made_by_mapper); id < atlas_.landmark_id_limit(); ++id) {
     recent_.push_back({id});
   }
-  fuse_landmarks(map_, keyframe, camera(), settings_.noise, settings_.mapping);
+  fuse_landmarks(atlas_, keyframe, camera(), settings_.noise, settings_.mapping);
 }
 
 LocalBundleReport Replay::adjust(KeyframeId keyframe) {
-  return adjust_locally(map_, keyframe, camera(), settings_.noise, settings_.bundle_adjustment,
+  return adjust_locally(atlas_, keyframe, camera(), settings_.noise, settings_.bundle_adjustment,
                         settings_.mapping);
 }
 
 void Replay::after_bundle(KeyframeId keyframe) {
-  cull_keyframes(map_, keyframe, settings_.tracking.close_depth, settings_.mapping);
+  cull_keyframes(atlas_, keyframe, settings_.tracking.close_depth, settings_.mapping);
 }
 
 void Replay::take_in() {
-  tracker_.flush_counts(map_);
-  tracker_.follow(map_);
+  tracker_.flush_counts(atlas_);
+  tracker_.follow(atlas_);
 }
 
 }  // namespace stdc

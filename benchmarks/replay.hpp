@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "atlas/atlas.hpp"
 #include "features/extractor.hpp"
 #include "footage.hpp"
-#include "map/map.hpp"
 #include "mapping/local_mapper.hpp"
 #include "slam/settings.hpp"
 #include "tracking/tracker.hpp"
@@ -44,7 +44,7 @@ class Replay {
   const LocalMap& local_map() const { return local_map_; }
   const Pyramid& pyramid() const { return extractor_.pyramid(); }
   const Tracker& tracker() const { return tracker_; }
-  const Map& map() const { return map_; }
+  const Atlas& atlas() const { return atlas_; }
   KeyframeId last_keyframe() const { return last_keyframe_; }
 
  private:
@@ -58,7 +58,7 @@ class Replay {
   Tracker tracker_;
   LocalMapper mapper_;
   std::vector<LandmarkId> recent_;  ///< on probation, for mapping in parts
-  Map map_;
+  Atlas atlas_;
   LocalMap local_map_;
   TrackedFrame frame_;
   std::size_t next_ = 0;  ///< index of the frame looked at

@@ -13,10 +13,10 @@
 
 #include "core/random.hpp"
 #include "masked_footage.hpp"
-#include "rendering/rendered_sequence.hpp"
-#include "segmentation/mask_settling.hpp"
-#include "segmentation/propagation.hpp"
-#include "segmentation/refinement.hpp"
+#include "segmentation/propagation/mask_propagator.hpp"
+#include "segmentation/propagation/mask_settling.hpp"
+#include "segmentation/srm/refinement.hpp"
+#include "simulation/sequence/rendered_sequence.hpp"
 
 namespace stdc {
 namespace {

@@ -29,13 +29,13 @@ struct Moment {
   Features raw;
   Pyramid pyramid;
   Tracker tracker;
-  LocalMap map;
-  TrackedFrame fresh;                   ///< nothing is known but its features
-  TrackedFrame predicted;               ///< where it is looked for
-  std::vector<FrameMatch> from_last;    ///< matches to the last frame that agree
-  TrackedFrame located;                 ///< where those put it
-  std::vector<FrameMatch> from_map;     ///< with those to the local map
-  std::vector<PoseObservation> sights;  ///< the same for the optimiser
+  LocalMap local_map;
+  TrackedFrame fresh;                         ///< nothing is known but its features
+  TrackedFrame predicted;                     ///< where it is looked for
+  std::vector<FrameMatch> from_last;          ///< matches to the last frame that agree
+  TrackedFrame located;                       ///< where those put it
+  std::vector<FrameMatch> from_map;           ///< with those to the local map
+  std::vector<PoseObservation> observations;  ///< the same for the optimiser
 };
 
 std::vector<FrameMatch> optimise(const Replay& replay, TrackedFrame& frame, std::vector<FrameMatch> matches) {
@@ -78,7 +78,7 @@ Moment take_moment(const Replay& replay, const Vector6d& velocity) {
   std::vector<int> visible;
   match_local_map(replay.camera(), moment.map, moment.located, settings.local_map_radius, settings,
                   moment.from_map, visible);
-  moment.sights = make_observations(moment.located, moment.from_map);
+  moment.observations = make_observations(moment.located, moment.from_map);
   return moment;
 }
 
@@ -160,7 +160,7 @@ void match_to_local_map(benchmark::State& state) {
     std::vector<FrameMatch> all = m.from_last;
     match_local_map(footage().camera, m.map, m.located, settings.local_map_radius, settings, all, visible);
     matches += all.size();
-    landmarks += m.map.landmarks.size();
+    landmarks += m.atlas.landmarks.size();
   }
   count(state, "matches", matches);
   count(state, "landmarks", landmarks);
@@ -190,9 +190,9 @@ void optimise_pose_of_frame(benchmark::State& state) {
   std::size_t observations = 0;
   for (auto _ : state) {
     const Moment& m = moments.next();
-    benchmark::DoNotOptimize(optimise_pose(footage().camera, m.sights, m.predicted.cam_from_world,
+    benchmark::DoNotOptimize(optimise_pose(footage().camera, m.observations, m.predicted.cam_from_world,
                                            settings.noise, settings.pose_optimisation));
-    observations += m.sights.size();
+    observations += m.observations.size();
   }
   count(state, "observations", observations);
 }
@@ -225,10 +225,10 @@ void gather_local_map(benchmark::State& state) {
   const std::vector<LandmarkId> seen = replay.tracker().last().landmarks;
   const int keyframes = replay.settings().tracking.local_keyframes;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(make_local_map(replay.map(), seen, replay.last_keyframe(), keyframes));
+    benchmark::DoNotOptimize(make_local_map(replay.atlas(), seen, replay.last_keyframe(), keyframes));
   }
-  state.counters["landmarks"] = replay.map().landmark_count();
-  state.counters["keyframes"] = replay.map().keyframe_count();
+  state.counters["landmarks"] = replay.atlas().landmark_count();
+  state.counters["keyframes"] = replay.atlas().keyframe_count();
 }
 BENCHMARK(gather_local_map)->Unit(benchmark::kMicrosecond);
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "datasets/association.hpp"
+#include "input/association.hpp"
 
 namespace {
 

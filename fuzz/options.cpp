@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "../apps/stdc-slam/frame_range.hpp"
 #include "core/error.hpp"
+#include "run/frame_range.hpp"
 #include "slam/settings_io.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

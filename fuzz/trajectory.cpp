@@ -1,5 +1,5 @@
 // Trajectory files, and scoring what they hold.
-#include "datasets/trajectory.hpp"
+#include "input/trajectory.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "segmentation/random_weights.hpp"
+#include "segmentation/network/test_random_weights.hpp"
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Parts {
 };
 
 Parts take_apart() {
-  const stdc::testing::RandomWeights weights(false, {{2, 2}, {8, 8, 8}, 2, 2, 2, 2, 2});
+  const stdc::test::RandomWeights weights(false, {{2, 2}, {8, 8, 8}, 2, 2, 2, 2, 2});
   const std::string bytes = weights.bytes();
   std::uint64_t length = 0;
   std::memcpy(&length, bytes.data(), sizeof length);
@@ -57,7 +57,7 @@ std::string file_of(const std::string& input) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes = file_of(std::string(reinterpret_cast<const char*>(data), size));
   try {
-    const stdc::SafetensorsFile file = stdc::testing::RandomWeights::file(bytes);
+    const stdc::SafetensorsFile file = stdc::test::RandomWeights::file(bytes);
     for (const auto& [name, entry] : file.tensors()) {
       if (size > 0 && data[0] == 'M') break;  // they are right, and many
       try {

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "atlas/map_file.hpp"
 #include "core/image_codec.hpp"
 #include "core/random.hpp"
-#include "map/map_file.hpp"
 
 namespace {
 
@@ -42,21 +42,21 @@ std::string small_map(int maps, bool patches) {
   stored.depths = {1, 2, 0, 3};
   if (patches) stored.patches.resize(4);
   const auto features = std::make_shared<const stdc::FrameFeatures>(camera, std::move(stored));
-  stdc::Map map;
+  stdc::Map atlas;
   for (int frame = 0; frame < 2 * maps; ++frame) {
     const bool second = frame % 2 == 1;
     const stdc::KeyframeId id =
-        map.add_keyframe({frame, 0.1 * frame, stdc::Pose(), stdc::CameraMotion(), features,
-                          stdc::measure_keypoints(camera, {}, *features), frame / 2});
+        atlas.add_keyframe({frame, 0.1 * frame, stdc::Pose(), stdc::CameraMotion(), features,
+                            stdc::measure_keypoints(camera, {}, *features), frame / 2});
     for (int i = 0; i < 3; ++i) {
-      if (!second) map.add_landmark({0.1 * i, 0, 2}, id);
-      map.observe(id, i, {static_cast<std::uint32_t>(3 * (frame / 2) + i)});
+      if (!second) atlas.add_landmark({0.1 * i, 0, 2}, id);
+      atlas.observe(id, i, {static_cast<std::uint32_t>(3 * (frame / 2) + i)});
     }
-    map.update_covisibility(id);
-    if (second) map.tie({id.value - 1}, id);
+    atlas.update_covisibility(id);
+    if (second) atlas.add_loop_edge({id.value - 1}, id);
   }
   std::ostringstream stream;
-  stdc::write_map(stream, camera, map);
+  stdc::write_map(stream, camera, atlas);
   return stream.str();
 }
 
@@ -93,6 +93,6 @@ int main(int argc, char** argv) {
     write(folder / "map_file" / (patches ? "patches.map" : "plain.map"), {bytes.begin(), bytes.end()});
   }
   const std::string atlas = small_map(3, false);
-  write(folder / "map_file/atlas.map", {atlas.begin(), atlas.end()});
+  write(folder / "map_file/atlas.atlas", {atlas.begin(), atlas.end()});
   return 0;
 }

@@ -19,12 +19,12 @@ struct Leaf {
 };
 
 Leaf random_leaf(cv::Size size, Random& random) {
-  constexpr double kSmallest = 3, kLargest = 250;
+  constexpr double kMin = 3, kMax = 250;
   Leaf leaf{};
   leaf.x = random.uniform(-0.1, 1.1) * size.width;
   leaf.y = random.uniform(-0.1, 1.1) * size.height;
   // Inverse of the distribution function of r^-3 between the two radii.
-  const double low = 1 / (kSmallest * kSmallest), high = 1 / (kLargest * kLargest);
+  const double low = 1 / (kMin * kMin), high = 1 / (kMax * kMax);
   leaf.radius = 1 / std::sqrt(low + random.uniform() * (high - low));
   const double turn = random.uniform(0, 2 * std::numbers::pi);
   leaf.cosine = std::cos(turn);

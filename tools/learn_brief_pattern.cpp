@@ -28,7 +28,7 @@ std::vector<cv::Mat> pictures() {
 
 void print(const stdc::BriefPattern& pattern) {
   fmt::print(R"(// Made by tools/learn_brief_pattern.cpp; do not edit.
-#include "features/brief.hpp"
+#include "features/description/brief.hpp"
 
 namespace stdc {{
 namespace {{

@@ -10,9 +10,9 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "features/blur.hpp"
+#include "features/detection/blur.hpp"
+#include "features/detection/pyramid.hpp"
 #include "features/extractor.hpp"
-#include "features/pyramid.hpp"
 
 namespace stdc {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "features/brief.hpp"
+#include "features/description/brief.hpp"
 
 namespace stdc {
 

@@ -16,16 +16,16 @@
 
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
-#include "datasets/tum_sequence.hpp"
+#include "input/layouts/tum_sequence.hpp"
 #include "segmentation/mask_file_segmenter.hpp"
-#include "segmentation/mask_settling.hpp"
-#include "segmentation/propagation.hpp"
-#include "segmentation/refinement.hpp"
+#include "segmentation/propagation/mask_propagator.hpp"
+#include "segmentation/propagation/mask_settling.hpp"
+#include "segmentation/srm/refinement.hpp"
 
 namespace stdc {
 namespace {
 
-constexpr int kLongest = 6, kEvery = 5, kPictureEvery = 45;
+constexpr int kMax = 6, kEvery = 5, kPictureEvery = 45;
 
 struct Frame {
   cv::Mat colour, grey, depth, mask;
@@ -99,10 +99,10 @@ void write_picture(const std::filesystem::path& path, const Frame& frame, const 
 void score(const std::filesystem::path& folder, const std::filesystem::path& pictures) {
   Camera camera;
   const std::vector<Frame> frames = load(folder, camera);
-  Tally stale[kLongest + 1], stale_refined[kLongest + 1], carried[kLongest + 1], refined[kLongest + 1];
+  Tally stale[kMax + 1], stale_refined[kMax + 1], carried[kMax + 1], refined[kMax + 1];
   std::vector<double> adding, showing, late;
   int starts = 0;
-  const int last = static_cast<int>(frames.size()) - kLongest - 1;
+  const int last = static_cast<int>(frames.size()) - kMax - 1;
   for (int start = 0; start <= last; start += kEvery, ++starts) {
     MaskPropagator propagator(camera);
     const auto& first = frames[static_cast<std::size_t>(start)];
@@ -113,7 +113,7 @@ void score(const std::filesystem::path& folder, const std::filesystem::path& pic
     stale_refined[0].add(refine(first.mask, first.depth, camera.depth_units_per_metre), first.mask);
     carried[0].add(settled, first.mask);
     refined[0].add(refine(settled, first.depth, camera.depth_units_per_metre), first.mask);
-    for (int n = 1; n <= kLongest; ++n) {
+    for (int n = 1; n <= kMax; ++n) {
       const Frame &before = frames[static_cast<std::size_t>(start + n - 1)],
                   &now = frames[static_cast<std::size_t>(start) + static_cast<std::size_t>(n)];
       const double t0 = thread_seconds();
@@ -142,14 +142,14 @@ void score(const std::filesystem::path& folder, const std::filesystem::path& pic
   fmt::print("{}: {} masks, mean IoU % (worst twentieth; found %, wrong %)\n", folder.string(), starts);
   fmt::print(
       "  n        as it was           as it was, refined            carried              carried, refined\n");
-  for (int n = 0; n <= kLongest; ++n) {
+  for (int n = 0; n <= kMax; ++n) {
     fmt::print("  {} {} {} {} {}\n", n, stale[n].text(), stale_refined[n].text(), carried[n].text(),
                refined[n].text());
   }
   fmt::print(
       "  CPU ms, half of the times below: {:.2f} to add a frame, {:.2f} to show the mask, {:.2f} to set it "
       "{} frames late\n",
-      1e3 * middle_of(adding), 1e3 * middle_of(showing), 1e3 * middle_of(late), kLongest);
+      1e3 * middle_of(adding), 1e3 * middle_of(showing), 1e3 * middle_of(late), kMax);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "commands.hpp"
+#include "commands/commands.hpp"
 #include "core/error.hpp"
 
 int main(int argc, char** argv) {

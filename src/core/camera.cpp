@@ -23,8 +23,8 @@ Eigen::Vector2d distort_normalised(const Camera& c, const Eigen::Vector2d& n, Ei
           y * radial + c.p1 * (r2 + 2 * y * y) + 2 * c.p2 * x * y};
 }
 
-void require(bool condition, const std::string& where, const char* problem, const char* mend) {
-  if (!condition) throw Error(where, problem, mend);
+void require(bool condition, const std::string& where, const char* problem, const char* hint) {
+  if (!condition) throw Error(where, problem, hint);
 }
 
 }  // namespace

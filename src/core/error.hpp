@@ -12,18 +12,18 @@ class Error : public std::runtime_error {
   /// @param where    the file (and line, as "file:12"), setting or argument at fault
   /// @param problem  what is wrong, without a full stop
   /// @param mend     what the user can do about it, without a full stop
-  Error(std::string where, std::string problem, std::string mend)
-      : std::runtime_error(where + ": " + problem + "; " + mend),
+  Error(std::string where, std::string problem, std::string hint)
+      : std::runtime_error(where + ": " + problem + "; " + hint),
         where_(std::move(where)),
         problem_(std::move(problem)),
-        mend_(std::move(mend)) {}
+        hint_(std::move(hint)) {}
 
   const std::string& where() const { return where_; }
   const std::string& problem() const { return problem_; }
-  const std::string& mend() const { return mend_; }
+  const std::string& hint() const { return hint_; }
 
  private:
-  std::string where_, problem_, mend_;
+  std::string where_, problem_, hint_;
 };
 
 }  // namespace stdc

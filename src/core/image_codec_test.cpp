@@ -29,7 +29,7 @@ cv::Mat picture(cv::Size size, int type) {
   return image;
 }
 
-double largest_difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
+double max_difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
 constexpr int kWidth = 40, kHeight = 24;
 const cv::Size kSize(kWidth, kHeight);
@@ -40,12 +40,12 @@ TEST(ImageCodec, PngKeepsEveryValue) {
     const DecodedImage decoded = decode_colour(encode_png(image), kSize, ColourMode::as_stored);
     ASSERT_EQ(decoded.problem, "");
     ASSERT_EQ(decoded.image.type(), type);
-    EXPECT_EQ(largest_difference(decoded.image, image), 0);
+    EXPECT_EQ(max_difference(decoded.image, image), 0);
   }
   const cv::Mat depth = picture(kSize, CV_16UC1);
   const DecodedImage decoded = decode_depth(encode_png(depth), kSize);
   ASSERT_EQ(decoded.image.type(), CV_16UC1);
-  EXPECT_EQ(largest_difference(decoded.image, depth), 0);
+  EXPECT_EQ(max_difference(decoded.image, depth), 0);
 }
 
 TEST(ImageCodec, JpegIsNear) {
@@ -56,11 +56,11 @@ TEST(ImageCodec, JpegIsNear) {
   const DecodedImage decoded = decode_colour(encode_jpeg(image, 95), kSize, ColourMode::as_stored);
   ASSERT_EQ(decoded.problem, "");
   ASSERT_EQ(decoded.image.type(), CV_8UC3);
-  EXPECT_LT(largest_difference(decoded.image, image), 12);
+  EXPECT_LT(max_difference(decoded.image, image), 12);
   cv::Mat grey(kSize, CV_8UC1, cv::Scalar(77));
   const DecodedImage grey_again = decode_colour(encode_jpeg(grey), kSize, ColourMode::as_stored);
   ASSERT_EQ(grey_again.image.type(), CV_8UC1);
-  EXPECT_LT(largest_difference(grey_again.image, grey), 2);
+  EXPECT_LT(max_difference(grey_again.image, grey), 2);
 }
 
 TEST(ImageCodec, GreyModeGivesTheLuma) {

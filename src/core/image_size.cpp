@@ -3,12 +3,12 @@
 namespace stdc {
 namespace {
 
-constexpr int kLargest = 16384;
+constexpr int kMax = 16384;
 
 int big_endian(Bytes bytes, std::size_t at, std::size_t count) {
   std::uint32_t value = 0;
   for (std::size_t i = 0; i < count; ++i) value = (value << 8U) | bytes[at + i];
-  return value > static_cast<std::uint32_t>(kLargest) ? -1 : static_cast<int>(value);
+  return value > static_cast<std::uint32_t>(kMax) ? -1 : static_cast<int>(value);
 }
 
 std::optional<cv::Size> checked(int width, int height) {

@@ -51,9 +51,9 @@ void use(JpegErrors& errors) {
 
 /// A progressive file of a few kilobytes can ask for thousands of passes over the image.
 void limit_scans(j_common_ptr jpeg) {
-  constexpr int kMostScans = 100;
+  constexpr int kMaxScans = 100;
   if (jpeg->is_decompressor == 0) return;
-  if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans) {
+  if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) {
     jpeg->err->msg_code = JERR_EMPTY_IMAGE;
     std::snprintf(errors_of(jpeg)->problem, sizeof errors_of(jpeg)->problem, "the JPEG has too many scans");
     fail(jpeg);

@@ -6,7 +6,7 @@
 
 #include "core/pose.hpp"
 
-namespace stdc::testing {
+namespace stdc::test {
 
 /// Whether two vectors are equal bit by bit; -0 and 0 are not.
 template <typename Vector>
@@ -20,4 +20,4 @@ inline bool same_bytes(const Pose& a, const Pose& b) {
   return same_bytes(a.rotation.coeffs(), b.rotation.coeffs()) && same_bytes(a.translation, b.translation);
 }
 
-}  // namespace stdc::testing
+}  // namespace stdc::test

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 
-namespace stdc::testing {
+namespace stdc::test {
 
 /// A new empty folder that is removed with what is in it. For tests.
 class TestFolder {
@@ -53,4 +53,4 @@ std::string message_of(const Action& action) {
   return "";
 }
 
-}  // namespace stdc::testing
+}  // namespace stdc::test

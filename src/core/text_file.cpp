@@ -29,24 +29,24 @@ struct CloseFile {
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& path, const std::string& mend, std::size_t maximum_bytes) {
+std::string read_file(const std::filesystem::path& path, const std::string& hint, std::size_t max_bytes) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw Error(path.string(), "is a folder, not a file", mend);
+    throw Error(path.string(), "is a folder, not a file", hint);
   }
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw Error(path.string(), fmt::format("cannot be opened ({})", std::strerror(errno)), mend);
+  if (!file) throw Error(path.string(), fmt::format("cannot be opened ({})", std::strerror(errno)), hint);
   const auto size = std::filesystem::file_size(path, ignored);
   std::string bytes;
   // The size is a hint only: pipes have none, and a file may be growing.
-  std::size_t capacity = !ignored && size < maximum_bytes ? static_cast<std::size_t>(size) + 1 : 1U << 16U;
+  std::size_t capacity = !ignored && size < max_bytes ? static_cast<std::size_t>(size) + 1 : 1U << 16U;
   while (true) {
     const std::size_t used = bytes.size();
     bytes.resize(used + capacity);
     const std::size_t got = std::fread(bytes.data() + used, 1, capacity, file.get());
     bytes.resize(used + got);
-    if (bytes.size() > maximum_bytes) {
-      throw Error(path.string(), fmt::format("is larger than {} bytes", maximum_bytes),
+    if (bytes.size() > max_bytes) {
+      throw Error(path.string(), fmt::format("is larger than {} bytes", max_bytes),
                   "check that it is the right file");
     }
     if (got < capacity) break;
@@ -94,13 +94,13 @@ std::optional<double> parse_number(std::string_view word) {
 }
 
 double parse_timestamp(std::string_view word, const std::string& where) {
-  constexpr double kLargestSeconds = 1e11;  // the year 5138; milliseconds since 1970 are already above it
+  constexpr double kMaxSeconds = 1e11;  // the year 5138; milliseconds since 1970 are already above it
   const std::optional<double> time = parse_number(word);
   if (!time || !std::isfinite(*time)) {
     throw Error(where, fmt::format("the timestamp {} is not a finite number", shown(word)),
                 "give the time in seconds");
   }
-  if (std::abs(*time) > kLargestSeconds) {
+  if (std::abs(*time) > kMaxSeconds) {
     throw Error(where, fmt::format("the timestamp {} is too large", shown(word)),
                 "give the time in seconds, not in milli- or nanoseconds");
   }
@@ -108,12 +108,12 @@ double parse_timestamp(std::string_view word, const std::string& where) {
 }
 
 std::string shown(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
+  constexpr std::size_t kMax = 40;
   std::string text = "'";
-  for (const char c : word.substr(0, kLongest)) {
+  for (const char c : word.substr(0, kMax)) {
     text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
   }
-  return text + (word.size() > kLongest ? "...'" : "'");
+  return text + (word.size() > kMax ? "...'" : "'");
 }
 
 }  // namespace stdc

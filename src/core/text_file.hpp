@@ -9,9 +9,9 @@
 namespace stdc {
 
 /// The bytes of a file. Throws Error naming it if it is missing, a folder, unreadable or larger than
-/// `maximum_bytes`; `mend` says what the user can do about a missing one.
-std::string read_file(const std::filesystem::path& path, const std::string& mend,
-                      std::size_t maximum_bytes = std::size_t{1} << 30U);
+/// `max_bytes`; `hint` says what the user can do about a missing one.
+std::string read_file(const std::filesystem::path& path, const std::string& hint,
+                      std::size_t max_bytes = std::size_t{1} << 30U);
 
 /// Goes through the lines of a text that say something: blank ones and those that start with '#' are left
 /// out, white space at both ends and a byte order mark are dropped.

@@ -9,8 +9,8 @@
 namespace stdc {
 namespace {
 
-using testing::message_of;
-using testing::TestFolder;
+using test::message_of;
+using test::TestFolder;
 
 TEST(LineReader, LeavesOutBlankLinesAndCommentsAndCountsThem) {
   LineReader lines("\xEF\xBB\xBF# head\n\n  one two \r\n\t# no\nthree");

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
-#include "estimation/kernels.hpp"
+#include "estimation/kernels/kernels.hpp"
 
 namespace stdc {
 namespace {

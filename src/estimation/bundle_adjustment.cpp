@@ -13,8 +13,8 @@ namespace {
 using kernels::kLanes;
 
 constexpr double kFirstDamping = 1e-4;
-constexpr double kSmallestDamping = 1e-9;
-constexpr double kLargestDamping = 1e8;
+constexpr double kMinDamping = 1e-9;
+constexpr double kMaxDamping = 1e8;
 constexpr kernels::Gate kInlier{kChiSquare95Pixel, kChiSquare95Depth};
 
 /// Poses and points between which the solver steps.
@@ -57,17 +57,17 @@ class BundleSolver {
         packed_(packed),
         state_(initial_state(problem, packed)),
         trial_(state_),
-        terms_(packed.fours.size()),
+        terms_(packed.packets.size()),
         step_(kernels_, packed) {}
 
   /// Robust cost (half of the sum) of what takes part.
   double linearise(const State& state) {
-    return kernels_.linearise_bundle(packed_.fours.data(), packed_.fours.size(), state.views.data(),
+    return kernels_.linearise_bundle(packed_.packets.data(), packed_.packets.size(), state.views.data(),
                                      state.points.data(), camera_, terms_.data());
   }
   /// Robust cost of all observations; tells anew which of them take part.
   double classify(const kernels::Gate& gate) {
-    return kernels_.classify_bundle(packed_.fours.data(), packed_.fours.size(), state_.views.data(),
+    return kernels_.classify_bundle(packed_.packets.data(), packed_.packets.size(), state_.views.data(),
                                     state_.points.data(), camera_, gate);
   }
 
@@ -75,7 +75,7 @@ class BundleSolver {
   void minimise(int iterations, double relative_decrease_to_stop, int* solved) {
     double cost = linearise(state_);
     double growth = 4.0;
-    for (int i = 0; i < iterations && damping_ <= kLargestDamping; ++i) {
+    for (int i = 0; i < iterations && damping_ <= kMaxDamping; ++i) {
       ++*solved;
       const double before = cost;
       bool accepted = false;
@@ -89,7 +89,7 @@ class BundleSolver {
         if (accepted) {
           std::swap(state_, trial_);
           const double gain = 2.0 * (cost - there) / expected - 1.0;
-          damping_ = std::max(damping_ * std::clamp(1.0 - gain * gain * gain, 0.1, 2.0), kSmallestDamping);
+          damping_ = std::max(damping_ * std::clamp(1.0 - gain * gain * gain, 0.1, 2.0), kMinDamping);
           growth = 4.0;
           cost = there;
         } else {
@@ -171,9 +171,9 @@ BundleResult bundle_adjust(const Camera& camera, BundleProblem& problem, const N
   result.usable = true;
   for (std::size_t k = 0; k < packed->origin.size(); ++k) {
     if (packed->origin[k] == PackedBundle::kNone) continue;
-    const kernels::BundleFour& four = packed->fours[k / kLanes];
-    result.inlier[packed->origin[k]] = four.used_inverse_sigma[k % kLanes] > 0 ? 1 : 0;
-    result.depth_inlier[packed->origin[k]] = four.used_depth_weight[k % kLanes] > 0 ? 1 : 0;
+    const kernels::BundlePacket& packet = packed->packets[k / kLanes];
+    result.inlier[packed->origin[k]] = packet.used_inverse_sigma[k % kLanes] > 0 ? 1 : 0;
+    result.depth_inlier[packed->origin[k]] = packet.used_depth_weight[k % kLanes] > 0 ? 1 : 0;
   }
   write_back(solver.state(), *packed, &problem);
   return result;

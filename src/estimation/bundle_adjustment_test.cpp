@@ -6,15 +6,15 @@
 #include <cstring>
 #include <limits>
 
-#include "estimation/synthetic_scene.hpp"
+#include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
 namespace {
 
-using synthetic::make_scene;
-using synthetic::Options;
-using synthetic::same;
-using synthetic::Scene;
+using test::make_scene;
+using test::Options;
+using test::same;
+using test::Scene;
 
 Options small() {
   Options options;
@@ -183,7 +183,7 @@ TEST(BundleAdjustment, LeavesOutBadNumbersAndPointsBehind) {
 
 TEST(BundleAdjustment, TakesPointsSeenOnceAndCamerasSeeingLittle) {
   Options options = small();
-  options.observations_per_point = 1, options.least_observations = 1, options.missing_depth = 0.5;
+  options.observations_per_point = 1, options.min_observations = 1, options.missing_depth = 0.5;
   Scene scene = make_scene(options);
   const BundleResult result = bundle_adjust(scene.camera, scene.problem, scene.sigma, {});
   EXPECT_TRUE(result.usable);

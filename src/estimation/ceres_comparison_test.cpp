@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/ceres_reference.hpp"
-#include "estimation/synthetic_scene.hpp"
+#include "estimation/test_ceres_reference.hpp"
+#include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
 namespace {
@@ -17,8 +17,8 @@ BundleSettings to_the_end() {
 }
 
 /// The minimum is flat along the way of a long chain of cameras: `pose_tolerance` [m, rad].
-void expect_equal_minimum(const synthetic::Options& options, double pose_tolerance) {
-  synthetic::Scene scene = synthetic::make_scene(options);
+void expect_equal_minimum(const test::Options& options, double pose_tolerance) {
+  test::Scene scene = test::make_scene(options);
   const auto model = ceres_reference::make_bundle(scene.camera, scene.problem, scene.sigma);
   const double initial = model->cost();
   ceres::Solver::Summary summary;
@@ -35,33 +35,33 @@ void expect_equal_minimum(const synthetic::Options& options, double pose_toleran
 }
 
 TEST(CeresComparison, BundleWithDepthReachesTheSameMinimum) {
-  synthetic::Options options;
-  options.poses = 12, options.fixed_poses = 4, options.points = 400, options.least_observations = 4;
+  test::Options options;
+  options.poses = 12, options.fixed_poses = 4, options.points = 400, options.min_observations = 4;
   expect_equal_minimum(options, 1e-4);
 }
 
 TEST(CeresComparison, MonocularBundleReachesTheSameMinimum) {
-  synthetic::Options options;
+  test::Options options;
   options.poses = 12, options.fixed_poses = 4, options.points = 400, options.missing_depth = 1.0;
-  options.outliers = 0.02, options.observations_per_point = 10, options.least_observations = 6;
+  options.outliers = 0.02, options.observations_per_point = 10, options.min_observations = 6;
   options.seed = 3;
   expect_equal_minimum(options, 1e-4);
 }
 
 TEST(CeresComparison, SparseBundleReachesTheSameMinimum) {
-  synthetic::Options options;
-  options.poses = 44, options.fixed_poses = 1, options.points = 700, options.least_observations = 4;
+  test::Options options;
+  options.poses = 44, options.fixed_poses = 1, options.points = 700, options.min_observations = 4;
   options.seed = 4;
   expect_equal_minimum(options, 1e-2);
 }
 
 TEST(CeresComparison, PoseReachesTheSameMinimum) {
   // Without outliers both see the same observations from the first round to the last.
-  synthetic::Options options;
+  test::Options options;
   options.outliers = 0, options.edge_outliers = 0, options.noise = 0.3;
-  const synthetic::PoseScene scene = synthetic::make_pose_scene(options, 200);
+  const test::PoseScene scene = test::make_pose_scene(options, 200);
   Random random(9);
-  const Pose initial = synthetic::disturbed(scene.truth, random, 0.05, 0.03);
+  const Pose initial = test::disturbed(scene.truth, random, 0.05, 0.03);
   const auto model = ceres_reference::make_pose(scene.camera, scene.observations, initial, scene.sigma);
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_reference::options(ceres::DENSE_QR, 100, 0), &model->problem, &summary);

@@ -10,7 +10,7 @@ namespace {
 using kernels::kLanes;
 
 // Larger coordinates [m or px] are taken for garbage; squares of them would overflow further down.
-constexpr double kLargest = 1e8;
+constexpr double kMax = 1e8;
 
 bool fits_together(const BundleProblem& problem) {
   const auto poses = static_cast<std::int64_t>(problem.cam_from_world.size());
@@ -23,8 +23,8 @@ bool fits_together(const BundleProblem& problem) {
 
 bool is_sane(const BundleProblem& problem, const BundleObservation& o) {
   const Eigen::Vector3d& point = problem.points[static_cast<std::size_t>(o.point)];
-  return point.allFinite() && point.cwiseAbs().maxCoeff() < kLargest && o.pixel.allFinite() &&
-         o.pixel.cwiseAbs().maxCoeff() < kLargest && o.scale > 0 && std::isfinite(o.scale);
+  return point.allFinite() && point.cwiseAbs().maxCoeff() < kMax && o.pixel.allFinite() &&
+         o.pixel.cwiseAbs().maxCoeff() < kMax && o.scale > 0 && std::isfinite(o.scale);
 }
 
 std::vector<std::uint32_t> sane_observations(const BundleProblem& problem) {
@@ -127,7 +127,7 @@ void list_pairs(PackedBundle* packed) {
                                                            static_cast<std::size_t>(packed->slot[b])));
       }
     }
-    packed->most_moving = std::max<std::size_t>(packed->most_moving, end - begin);
+    packed->max_moving = std::max<std::size_t>(packed->max_moving, end - begin);
   }
 }
 
@@ -156,22 +156,22 @@ void order_observations(const BundleProblem& problem, const std::vector<std::uin
 }
 
 void fill_lanes(const BundleProblem& problem, const NoiseSettings& noise, PackedBundle* packed) {
-  packed->fours.resize(packed->origin.size() / kLanes);  // zeroed: padding weighs nothing
+  packed->packets.resize(packed->origin.size() / kLanes);  // zeroed: padding weighs nothing
   for (std::size_t k = 0; k < packed->origin.size(); ++k) {
     if (packed->origin[k] == PackedBundle::kNone) continue;
     const BundleObservation& o = problem.observations[packed->origin[k]];
-    kernels::BundleFour& four = packed->fours[k / kLanes];
+    kernels::BundlePacket& packet = packed->packets[k / kLanes];
     const std::size_t lane = k % kLanes;
     const bool has_depth = o.depth > 0 && std::isfinite(o.depth);
-    four.u[lane] = o.pixel.x();
-    four.v[lane] = o.pixel.y();
-    four.inverse_depth[lane] = has_depth ? 1.0F / o.depth : 0.0F;
-    four.inverse_sigma[lane] = static_cast<float>(1.0 / (noise.pixel_sigma * o.scale));
-    four.depth_weight[lane] = has_depth ? static_cast<float>(1.0 / noise.inverse_depth_sigma) : 0.0F;
-    four.used_inverse_sigma[lane] = four.inverse_sigma[lane];
-    four.used_depth_weight[lane] = four.depth_weight[lane];
-    four.pose[lane] = o.pose;
-    four.point[lane] = o.point;
+    packet.u[lane] = o.pixel.x();
+    packet.v[lane] = o.pixel.y();
+    packet.inverse_depth[lane] = has_depth ? 1.0F / o.depth : 0.0F;
+    packet.inverse_sigma[lane] = static_cast<float>(1.0 / (noise.pixel_sigma * o.scale));
+    packet.depth_weight[lane] = has_depth ? static_cast<float>(1.0 / noise.inverse_depth_sigma) : 0.0F;
+    packet.used_inverse_sigma[lane] = packet.inverse_sigma[lane];
+    packet.used_depth_weight[lane] = packet.depth_weight[lane];
+    packet.pose[lane] = o.pose;
+    packet.point[lane] = o.point;
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "estimation/block_pattern.hpp"
 #include "estimation/bundle_adjustment.hpp"
-#include "estimation/kernels.hpp"
+#include "estimation/kernels/kernels.hpp"
 
 namespace stdc {
 
@@ -16,7 +16,7 @@ namespace stdc {
 struct PackedBundle {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<kernels::BundleFour> fours;
+  std::vector<kernels::BundlePacket> packets;
   std::vector<std::uint32_t>
       origin;                      ///< of each packed observation: its index in the problem; kNone: padding
   std::vector<std::int32_t> slot;  ///< of each packed observation by a moving camera, padded
@@ -24,7 +24,7 @@ struct PackedBundle {
   std::vector<std::int32_t> slot_pose;                   ///< of each row of the reduced system: its pose
   std::vector<std::uint32_t> pair_block;
   BlockPattern pattern{0};
-  std::size_t most_moving = 0;  ///< observations by moving cameras of one point, at most
+  std::size_t max_moving = 0;  ///< observations by moving cameras of one point, at most
 
   std::size_t points() const { return moving_start.size() - 1; }
 };

@@ -6,15 +6,15 @@
 
 #include "estimation/block_pattern.hpp"
 #include "estimation/huber.hpp"
-#include "estimation/kernels.hpp"
+#include "estimation/kernels/kernels.hpp"
 #include "estimation/se3.hpp"
 
 namespace stdc {
 namespace {
 
 constexpr double kFirstDamping = 1e-6;
-constexpr double kSmallestDamping = 1e-10;
-constexpr double kLargestDamping = 1e8;
+constexpr double kMinDamping = 1e-10;
+constexpr double kMaxDamping = 1e8;
 constexpr std::int32_t kFixed = -1;
 
 template <std::size_t count>
@@ -57,7 +57,7 @@ class PoseGraphSolver {
     if (!std::isfinite(result.initial_cost)) return false;
     bool stepped = false;
     linearise(poses);
-    while (result.iterations < settings_.iterations && damping <= kLargestDamping) {
+    while (result.iterations < settings_.iterations && damping <= kMaxDamping) {
       ++result.iterations;
       const std::optional<double> expected = solve(damping);
       if (expected) {
@@ -71,7 +71,7 @@ class PoseGraphSolver {
           result.final_cost = there;
           if (converged) break;
           const double gain = 2.0 * decrease / *expected - 1.0;
-          damping = std::max(damping * std::clamp(1.0 - gain * gain * gain, 0.1, 2.0), kSmallestDamping);
+          damping = std::max(damping * std::clamp(1.0 - gain * gain * gain, 0.1, 2.0), kMinDamping);
           growth = 4;
           linearise(poses);
           continue;

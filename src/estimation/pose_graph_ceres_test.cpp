@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "estimation/pose_graph_scene.hpp"
+#include "estimation/test_pose_graph_scene.hpp"
 
 #if defined(STDC_HAVE_CERES)
 #include <ceres/ceres.h>
@@ -82,7 +82,7 @@ double solve_by_ceres(PoseGraph& graph, double robust_chi_square) {
 
 TEST(PoseGraph, FindsWhatCeresFinds) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    synthetic::Loop ours = synthetic::make_loop(60, 4, 0.02, seed);
+    test::Loop ours = test::make_loop(60, 4, 0.02, seed);
     Random random(seed);
     for (PoseGraphEdge& edge : ours.graph.edges) {
       Matrix6d mix;
@@ -90,7 +90,7 @@ TEST(PoseGraph, FindsWhatCeresFinds) {
       edge.information += 300 * mix * mix.transpose();
       edge.robust = random.below(3) == 0;
     }
-    synthetic::Loop theirs = ours;
+    test::Loop theirs = ours;
     const PoseGraphSettings settings{.iterations = 100, .relative_decrease_to_stop = 0};
     const PoseGraphResult result = optimise_pose_graph(ours.graph, settings);
     const double reference = solve_by_ceres(theirs.graph, settings.robust_chi_square);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "estimation/huber.hpp"
-#include "estimation/kernels.hpp"
+#include "estimation/kernels/kernels.hpp"
 
 namespace stdc {
 namespace {
@@ -13,51 +13,51 @@ namespace {
 using kernels::kLanes;
 
 // Larger coordinates [m or px] are taken for garbage; squares of them would overflow further down.
-constexpr double kLargest = 1e8;
+constexpr double kMax = 1e8;
 // A round ends when the next step would lower the cost by less than this: it is in units of chi-square, so
 // the pose then lies within sqrt(2 * this) of its own standard deviation from the minimum.
 constexpr double kSettled = 1e-5;
 constexpr double kFirstDamping = 1e-6;
-constexpr double kLargestDamping = 1e6;
+constexpr double kMaxDamping = 1e6;
 // A unit direction of the pose (scaled to unit information per coordinate) that keeps less than this share of
 // its information once the others are estimated too is not determined by the observations.
 constexpr double kSingular = 1e-10;
 constexpr kernels::Gate kInlier{kChiSquare95Pixel, kChiSquare95Depth};
 
 bool is_sane(const PoseObservation& o) {
-  return o.point_in_world.cwiseAbs().maxCoeff() < kLargest && o.pixel.cwiseAbs().maxCoeff() < kLargest &&
+  return o.point_in_world.cwiseAbs().maxCoeff() < kMax && o.pixel.cwiseAbs().maxCoeff() < kMax &&
          o.point_in_world.allFinite() && o.pixel.allFinite() && o.scale > 0 && std::isfinite(o.scale);
 }
 
 /// The sane observations in groups of four, and for each of them its index in the list given.
 struct Problem {
-  std::vector<kernels::PoseFour> fours;
+  std::vector<kernels::PosePacket> packets;
   std::vector<std::uint32_t> index;
 };
 
 Problem pack(std::span<const PoseObservation> observations, const NoiseSettings& noise) {
   Problem problem;
-  problem.fours.resize((observations.size() + kLanes - 1) / kLanes);  // zeroed: empty lanes weigh nothing
+  problem.packets.resize((observations.size() + kLanes - 1) / kLanes);  // zeroed: empty lanes weigh nothing
   problem.index.reserve(observations.size());
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const PoseObservation& o = observations[i];
     if (!is_sane(o)) continue;
-    kernels::PoseFour& four = problem.fours[problem.index.size() / kLanes];
+    kernels::PosePacket& packet = problem.packets[problem.index.size() / kLanes];
     const std::size_t lane = problem.index.size() % kLanes;
     problem.index.push_back(static_cast<std::uint32_t>(i));
     const bool has_depth = o.depth > 0 && std::isfinite(o.depth);
-    four.x[lane] = o.point_in_world.x();
-    four.y[lane] = o.point_in_world.y();
-    four.z[lane] = o.point_in_world.z();
-    four.u[lane] = o.pixel.x();
-    four.v[lane] = o.pixel.y();
-    four.inverse_sigma[lane] = 1.0 / (noise.pixel_sigma * o.scale);
-    four.inverse_depth[lane] = has_depth ? 1.0 / o.depth : 0.0;
-    four.depth_weight[lane] = has_depth ? 1.0 / noise.inverse_depth_sigma : 0.0;
-    four.use_pixel[lane] = 1.0;
-    four.use_depth[lane] = has_depth ? 1.0 : 0.0;
+    packet.x[lane] = o.point_in_world.x();
+    packet.y[lane] = o.point_in_world.y();
+    packet.z[lane] = o.point_in_world.z();
+    packet.u[lane] = o.pixel.x();
+    packet.v[lane] = o.pixel.y();
+    packet.inverse_sigma[lane] = 1.0 / (noise.pixel_sigma * o.scale);
+    packet.inverse_depth[lane] = has_depth ? 1.0 / o.depth : 0.0;
+    packet.depth_weight[lane] = has_depth ? 1.0 / noise.inverse_depth_sigma : 0.0;
+    packet.use_pixel[lane] = 1.0;
+    packet.use_depth[lane] = has_depth ? 1.0 : 0.0;
   }
-  problem.fours.resize((problem.index.size() + kLanes - 1) / kLanes);
+  problem.packets.resize((problem.index.size() + kLanes - 1) / kLanes);
   return problem;
 }
 
@@ -85,7 +85,7 @@ class PoseSolver {
     Eigen::Map<Eigen::Vector3d>(view.translation) = pose.translation;
     view.fx = camera_.fx, view.fy = camera_.fy, view.cx = camera_.cx, view.cy = camera_.cy;
     kernels::PoseSystem system;
-    kernels_.linearise_pose(problem_.fours.data(), problem_.fours.size(), view, gate, &system);
+    kernels_.linearise_pose(problem_.packets.data(), problem_.packets.size(), view, gate, &system);
     Linearisation result;
     for (int i = 0, k = 0; i < 6; ++i) {
       for (int j = i; j < 6; ++j, ++k) result.hessian(i, j) = result.hessian(j, i) = system.h[k];
@@ -99,7 +99,7 @@ class PoseSolver {
   /// Levenberg-Marquardt from `pose`, whose linearisation is `at`; both are moved to the end point.
   void minimise(int iterations, Pose* pose, Linearisation* at) {
     double damping = kFirstDamping, growth = 4.0;
-    for (int i = 0; i < iterations && damping <= kLargestDamping; ++i) {
+    for (int i = 0; i < iterations && damping <= kMaxDamping; ++i) {
       Matrix6d damped = at->hessian;
       const Vector6d added = damping * at->hessian.diagonal();
       damped.diagonal() += added;
@@ -126,8 +126,8 @@ class PoseSolver {
   std::vector<std::uint8_t> selection() const {
     std::vector<std::uint8_t> chosen(problem_.index.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-      const kernels::PoseFour& four = problem_.fours[k / kLanes];
-      chosen[k] = (four.use_pixel[k % kLanes] > 0 ? 1 : 0) | (four.use_depth[k % kLanes] > 0 ? 2 : 0);
+      const kernels::PosePacket& packet = problem_.packets[k / kLanes];
+      chosen[k] = (packet.use_pixel[k % kLanes] > 0 ? 1 : 0) | (packet.use_depth[k % kLanes] > 0 ? 2 : 0);
     }
     return chosen;
   }
@@ -175,7 +175,7 @@ PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseO
   result.inlier.assign(observations.size(), 0);
   result.depth_inlier.assign(observations.size(), 0);
   Problem problem = pack(observations, noise);
-  const auto enough = static_cast<std::size_t>(std::max(settings.minimum_observations, 3));
+  const auto enough = static_cast<std::size_t>(std::max(settings.min_observations, 3));
   if (problem.index.size() < enough || !initial_cam_from_world.is_finite()) return result;
 
   PoseSolver solver(camera, problem, prior);

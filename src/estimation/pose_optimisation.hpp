@@ -23,7 +23,7 @@ struct PoseObservation {
 struct PoseOptimisationSettings {
   int rounds = 4;
   int iterations_per_round = 10;
-  int minimum_observations = 3;
+  int min_observations = 3;
 
   template <typename Self, typename Visit>
   static void describe(Self& self, Visit&& visit) {
@@ -32,8 +32,8 @@ struct PoseOptimisationSettings {
     visit(Setting{"iterations_per_round", "count", "Most iterations of a round; it stops when converged", 1,
                   100},
           self.iterations_per_round);
-    visit(Setting{"minimum_observations", "count", "Fewer observations than this give no pose", 3, 100},
-          self.minimum_observations);
+    visit(Setting{"min_observations", "count", "Fewer observations than this give no pose", 3, 100},
+          self.min_observations);
   }
 };
 

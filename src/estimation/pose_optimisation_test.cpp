@@ -4,15 +4,15 @@
 
 #include <limits>
 
-#include "estimation/synthetic_scene.hpp"
+#include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
 namespace {
 
-using synthetic::disturbed;
-using synthetic::make_pose_scene;
-using synthetic::Options;
-using synthetic::PoseScene;
+using test::disturbed;
+using test::make_pose_scene;
+using test::Options;
+using test::PoseScene;
 
 Options clean() {
   Options options;
@@ -154,7 +154,7 @@ void expect_unusable(const PoseScene& scene, const Pose& initial) {
   EXPECT_EQ(result.inliers, 0);
   EXPECT_EQ(result.inlier.size(), scene.observations.size());
   EXPECT_TRUE(result.information.isZero(0));
-  EXPECT_TRUE(synthetic::same(result.cam_from_world, initial));
+  EXPECT_TRUE(test::same(result.cam_from_world, initial));
 }
 
 TEST(PoseOptimisation, GivesNoPoseWhereThereIsNone) {
@@ -213,7 +213,7 @@ TEST(PoseOptimisation, IsDeterministic) {
   options.outliers = 0.3;
   const PoseScene scene = make_pose_scene(options, 333);
   const auto a = solve(scene, 0.03, 0.03), b = solve(scene, 0.03, 0.03);
-  EXPECT_TRUE(synthetic::same(a.cam_from_world, b.cam_from_world));
+  EXPECT_TRUE(test::same(a.cam_from_world, b.cam_from_world));
   EXPECT_EQ(a.inlier, b.inlier);
   EXPECT_TRUE(a.information == b.information);
 }

@@ -49,7 +49,7 @@ std::optional<Pose> find_pose(const Camera& camera, std::span<const PoseObservat
   if (with_depth.size() < 3) return {};
   Random random(settings.seed);
   std::optional<Pose> best;
-  int most = settings.least_inliers - 1;
+  int most = settings.min_inliers - 1;
   double needed = settings.trials;
   for (int trial = 0; trial < settings.trials && trial < needed; ++trial) {
     std::array<Eigen::Vector3d, 3> world, cam;

@@ -15,14 +15,14 @@ struct PoseRansacSettings {
   int trials = 300;           ///< most of them
   double gate = 6;            ///< [px] on level 0: an alignment of three noisy depths is rough
   double confidence = 0.999;  ///< of having drawn three good ones, before it ends early
-  int least_inliers = 15;
+  int min_inliers = 15;
   std::uint64_t seed = 1;
 };
 
 /// The alignment of three observed points (3D-3D: Umeyama, PAMI 1991) with which most observations agree
 /// (RANSAC: Fischler and Bolles, CACM 1981): cam_from_world, rough, to be optimised. Three points with depth
 /// are needed; those without vote. Triples that are nearly on a line are not tried. Nothing if fewer than
-/// `least_inliers` agree. Same input and seed, same result.
+/// `min_inliers` agree. Same input and seed, same result.
 std::optional<Pose> find_pose(const Camera& camera, std::span<const PoseObservation> observations,
                               const PoseRansacSettings& settings);
 

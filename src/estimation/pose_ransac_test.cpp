@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "estimation/synthetic_scene.hpp"
+#include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
 namespace {
@@ -10,10 +10,10 @@ namespace {
 TEST(PoseRansac, FindsThePoseAmongWrongMatches) {
   for (const double outliers : {0.0, 0.3, 0.6}) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
-      synthetic::Options options;
+      test::Options options;
       options.outliers = outliers;
       options.seed = seed;
-      const auto scene = synthetic::make_pose_scene(options, 150);
+      const auto scene = test::make_pose_scene(options, 150);
       const auto found = find_pose(scene.camera, scene.observations, {.seed = seed});
       ASSERT_TRUE(found);
       EXPECT_LT((found->centre() - scene.truth.centre()).norm(), 0.1);
@@ -23,10 +23,10 @@ TEST(PoseRansac, FindsThePoseAmongWrongMatches) {
 }
 
 TEST(PoseRansac, FindsNoneWhereNothingAgrees) {
-  synthetic::Options options;
+  test::Options options;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     options.seed = seed;
-    auto scene = synthetic::make_pose_scene(options, 150);
+    auto scene = test::make_pose_scene(options, 150);
     Random random(seed);
     for (PoseObservation& o : scene.observations) {  // each sees another's point
       std::swap(o.point_in_world, scene.observations[random.below(150)].point_in_world);
@@ -38,7 +38,7 @@ TEST(PoseRansac, FindsNoneWhereNothingAgrees) {
 TEST(PoseRansac, NeedsThreePointsWithDepthThatAreNotOnALine) {
   const Camera camera;
   std::vector<PoseObservation> observations;
-  const PoseRansacSettings settings{.least_inliers = 3};
+  const PoseRansacSettings settings{.min_inliers = 3};
   EXPECT_FALSE(find_pose(camera, observations, settings));
   for (int i = 0; i < 20; ++i) {
     const Eigen::Vector3d point(0.05 * i - 0.5, 0.02 * i, 2);
@@ -55,13 +55,13 @@ TEST(PoseRansac, NeedsThreePointsWithDepthThatAreNotOnALine) {
 }
 
 TEST(PoseRansac, SameSeedSameBytes) {
-  synthetic::Options options;
+  test::Options options;
   options.outliers = 0.5;
-  const auto scene = synthetic::make_pose_scene(options, 200);
+  const auto scene = test::make_pose_scene(options, 200);
   const auto a = find_pose(scene.camera, scene.observations, {.seed = 9}),
              b = find_pose(scene.camera, scene.observations, {.seed = 9});
   ASSERT_TRUE(a && b);
-  EXPECT_TRUE(synthetic::same(*a, *b));
+  EXPECT_TRUE(test::same(*a, *b));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ SchurStep::SchurStep(const kernels::Table& kernels, const PackedBundle& packed)
       blocks_(packed.pattern.blocks()),
       step_(packed.pattern.size()),
       damped_(packed.pattern.size()),
-      scratch_(std::max(packed.most_moving, kernels::kChunk)) {}
+      scratch_(std::max(packed.max_moving, kernels::kChunk)) {}
 
 bool SchurStep::solve(const std::vector<kernels::BundleTerm>& terms,
                       const std::vector<kernels::BundlePoint>& points, double damping,
@@ -23,7 +23,7 @@ bool SchurStep::solve(const std::vector<kernels::BundleTerm>& terms,
   std::fill(blocks_.begin(), blocks_.end(), Numbers<kernels::kBlock>{});
   std::fill(cameras_.begin(), cameras_.end(), kernels::CameraSum{});
   kernels::SchurInput in{};
-  in.fours = packed_.fours.data();
+  in.packets = packed_.packets.data();
   in.terms = terms.data();
   in.points = points.data();
   in.point_count = packed_.points();

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "estimation/kernels.hpp"
+#include "estimation/kernels/kernels.hpp"
 #include "estimation/packed_bundle.hpp"
 
 namespace stdc {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/random.hpp"
-#include "estimation/synthetic_scene.hpp"
+#include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
 namespace {
@@ -41,8 +41,8 @@ TEST(Triangulation, IsAsAccurateAsTheAnglesUnderNoise) {
   for (int i = 0; i < kCount; ++i) {
     const Eigen::Vector3d point =
         rig.a.inverse() * Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), kDepth);
-    const Eigen::Vector3d a = (rig.a * point) / kDepth + synthetic::normal3(random, kAngle);
-    const Eigen::Vector3d b = (rig.b * point) / kDepth + synthetic::normal3(random, kAngle);
+    const Eigen::Vector3d a = (rig.a * point) / kDepth + test::normal3(random, kAngle);
+    const Eigen::Vector3d b = (rig.b * point) / kDepth + test::normal3(random, kAngle);
     const auto found = triangulate(rig.a, a, rig.b, b);
     ASSERT_TRUE(found.has_value());
     sum += (*found - point).squaredNorm();

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "datasets/trajectory.hpp"
+#include "input/trajectory.hpp"
 
 namespace stdc {
 

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "features/blur.hpp"
-#include "features/brief.hpp"
-#include "features/candidates.hpp"
-#include "features/fast.hpp"
-#include "features/harris.hpp"
+#include "features/description/brief.hpp"
+#include "features/description/orientation.hpp"
+#include "features/detection/blur.hpp"
+#include "features/detection/candidates.hpp"
+#include "features/detection/fast.hpp"
+#include "features/detection/harris.hpp"
+#include "features/detection/pyramid.hpp"
+#include "features/detection/quadtree.hpp"
 #include "features/mask.hpp"
-#include "features/orientation.hpp"
-#include "features/pyramid.hpp"
-#include "features/quadtree.hpp"
 
 namespace stdc {
 namespace {
@@ -21,13 +21,13 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check_image(const cv::Mat& image, const char* what) {
-  constexpr int kSmallest = 64, kLargest = 32767;
+  constexpr int kMin = 64, kMax = 32767;
   if (image.type() != CV_8UC1) {
     throw Error(what, "the image is not of 8-bit grey levels", "convert it to CV_8UC1");
   }
-  if (std::min(image.cols, image.rows) < kSmallest || std::max(image.cols, image.rows) > kLargest) {
+  if (std::min(image.cols, image.rows) < kMin || std::max(image.cols, image.rows) > kMax) {
     throw Error(what, fmt::format("an image of {} x {} pixels", image.cols, image.rows),
-                fmt::format("give one of {} to {} pixels each way", kSmallest, kLargest));
+                fmt::format("give one of {} to {} pixels each way", kMin, kMax));
   }
 }
 

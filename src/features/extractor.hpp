@@ -4,9 +4,9 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "features/detection/pyramid.hpp"
 #include "features/feature_settings.hpp"
 #include "features/keypoint.hpp"
-#include "features/pyramid.hpp"
 
 namespace stdc {
 

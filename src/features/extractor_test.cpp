@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/every_target.hpp"
-#include "features/fast.hpp"
-#include "features/hamming.hpp"
-#include "features/pyramid.hpp"
+#include "features/description/hamming.hpp"
+#include "features/detection/fast.hpp"
+#include "features/detection/pyramid.hpp"
 #include "features/test_images.hpp"
 
 namespace stdc {

@@ -12,8 +12,7 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
 
 float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
   constexpr int kRadius = 3;
-  constexpr float kLargestStep =
-      0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
+  constexpr float kMaxStep = 0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
   const float z = depth_at(depth, units_per_metre, x, y);
   if (z <= 0) return 0;
   float nearest = z, furthest = z;
@@ -25,7 +24,7 @@ float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int 
       furthest = std::max(furthest, beside);
     }
   }
-  return furthest - nearest <= kLargestStep * z ? z : 0;
+  return furthest - nearest <= kMaxStep * z ? z : 0;
 }
 
 namespace {

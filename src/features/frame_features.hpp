@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "features/description/patch_alignment.hpp"
+#include "features/detection/pyramid.hpp"
 #include "features/keypoint.hpp"
-#include "features/patch_alignment.hpp"
-#include "features/pyramid.hpp"
 
 namespace stdc {
 

@@ -40,14 +40,14 @@ std::vector<KeyframeId> links_of(const Keyframe& keyframe, int strong_link) {
 
 class Builder {
  public:
-  Builder(const Map& map, int number) : map_(map), keyframes_(map.keyframe_ids(number)) {
-    node_.resize(map.keyframe_id_limit(), -1);
+  Builder(const Atlas& atlas, int number) : map_(atlas), keyframes_(atlas.keyframe_ids(number)) {
+    node_.resize(atlas.keyframe_id_limit(), -1);
     for (const KeyframeId id : keyframes_) {
       node_[id.value] = static_cast<std::int32_t>(graph_.node_from_world.size());
-      graph_.node_from_world.push_back(map.keyframe(id).cam_from_world);
+      graph_.node_from_world.push_back(atlas.keyframe(id).cam_from_world);
     }
     graph_.fixed.resize(keyframes_.size(), 0);
-    graph_.fixed[node_[map.root(number).value]] = 1;
+    graph_.fixed[node_[atlas.root(number).value]] = 1;
   }
 
   void fix(KeyframeId id) { graph_.fixed[node_[id.value]] = 1; }
@@ -61,7 +61,7 @@ class Builder {
   PoseGraph& graph() { return graph_; }
 
  private:
-  const Map& map_;
+  const Atlas& map_;
   std::vector<KeyframeId> keyframes_;
   std::vector<std::int32_t> node_;
   PoseGraph graph_;
@@ -69,26 +69,26 @@ class Builder {
 
 }  // namespace
 
-PoseGraphResult optimise_essential_graph(Map& map, int number, const LoopEnds& ends,
+PoseGraphResult optimise_essential_graph(Atlas& atlas, int number, const LoopEnds& ends,
                                          const PoseGraphSettings& graph, const LoopSettings& settings) {
-  Builder builder(map, number);
+  Builder builder(atlas, number);
   for (const KeyframeId id : ends.fixed) builder.fix(id);
   std::vector<LoopLink> links;
   for (const auto& [a, b] : ends.links) links.push_back(ordered(a, b));
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
   for (const KeyframeId id : builder.keyframes()) {
-    for (const KeyframeId older : links_of(map.keyframe(id), settings.strong_link)) {
+    for (const KeyframeId older : links_of(atlas.keyframe(id), settings.strong_link)) {
       if (std::binary_search(links.begin(), links.end(), ordered(older, id))) continue;
       builder.add(id, older, ends.before[id.value], ends.before[older.value]);
     }
   }
   for (const auto& [older, id] : links)
-    builder.add(id, older, map.keyframe(id).cam_from_world, map.keyframe(older).cam_from_world);
+    builder.add(id, older, atlas.keyframe(id).cam_from_world, atlas.keyframe(older).cam_from_world);
   const PoseGraphResult result = optimise_pose_graph(builder.graph(), graph);
   if (!result.usable) return result;
   for (std::size_t i = 0; i < builder.keyframes().size(); ++i)
-    map.set_pose(builder.keyframes()[i], builder.graph().node_from_world[i]);
+    atlas.set_pose(builder.keyframes()[i], builder.graph().node_from_world[i]);
   return result;
 }
 

@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "atlas/atlas.hpp"
 #include "estimation/pose_graph.hpp"
 #include "loop_closing/loop_settings.hpp"
 #include "loop_closing/map_motion.hpp"
-#include "map/map.hpp"
 
 namespace stdc {
 
@@ -25,7 +25,7 @@ struct LoopEnds {
 /// optimised from the poses that the keyframes have now (Mur-Artal, Montiel and Tardos, 'ORB-SLAM', T-RO
 /// 2015, sec. III-E and VII-C; with RGB-D the scale is known: SE(3)). A link weighs as much as its keyframes
 /// share landmarks. Landmarks are left where they are.
-PoseGraphResult optimise_essential_graph(Map& map, int number, const LoopEnds& ends,
+PoseGraphResult optimise_essential_graph(Atlas& atlas, int number, const LoopEnds& ends,
                                          const PoseGraphSettings& graph, const LoopSettings& settings);
 
 }  // namespace stdc

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
+#include "atlas/test_scene.hpp"
 #include "core/random.hpp"
-#include "map/test_scene.hpp"
 
 namespace stdc {
 namespace {
@@ -17,7 +17,7 @@ using test::centre_error;
 struct Ring {
   static constexpr int kKeyframes = 24;
   static constexpr int kShared = 20;
-  Map map;
+  Atlas atlas;
   std::vector<Pose> truth;
   std::shared_ptr<const FrameFeatures> features;
 
@@ -48,25 +48,25 @@ struct Ring {
 
   void add(int k, const Pose& pose) {
     NewKeyframe made_of{k, 0.1 * k, pose, {}, features, std::vector<Measurement>(2 * kShared)};
-    const KeyframeId id = map.add_keyframe(made_of);
+    const KeyframeId id = atlas.add_keyframe(made_of);
     for (int i = 0; k > 0 && i < kShared; ++i)
-      map.observe(id, i, map.keyframe({id.value - 1}).landmarks[kShared + i]);
+      atlas.observe(id, i, atlas.keyframe({id.value - 1}).landmarks[kShared + i]);
     for (int i = 0; i < kShared; ++i)
-      map.observe(id, kShared + i, map.add_landmark(Eigen::Vector3d::Random(), id));
-    map.update_covisibility(id);
+      atlas.observe(id, kShared + i, atlas.add_landmark(Eigen::Vector3d::Random(), id));
+    atlas.update_covisibility(id);
   }
 
   /// The last keyframe sees the first one's points.
   void fuse_ends() {
     const KeyframeId last{kKeyframes - 1};
-    for (int i = 0; i < kShared; ++i) map.observe({0}, i, map.keyframe(last).landmarks[kShared + i]);
-    map.update_covisibility(last);
+    for (int i = 0; i < kShared; ++i) atlas.observe({0}, i, atlas.keyframe(last).landmarks[kShared + i]);
+    atlas.update_covisibility(last);
   }
 
   double worst_error() const {
     double worst = 0;
     for (std::uint32_t k = 0; k < kKeyframes; ++k)
-      worst = std::max(worst, centre_error(map.keyframe({k}).cam_from_world, truth[k]));
+      worst = std::max(worst, centre_error(atlas.keyframe({k}).cam_from_world, truth[k]));
     return worst;
   }
 };
@@ -80,12 +80,12 @@ TEST(EssentialGraph, SpreadsTheErrorOfARoundOverIt) {
     Ring ring(kDrift, seed);
     before += ring.worst_error();
     ring.fuse_ends();
-    const LoopEnds ends{keyframe_poses(ring.map), {{kLast, KeyframeId{0}}}, {}};
-    ring.map.set_pose(kLast, ring.truth.back());  // what the loop says
-    EXPECT_TRUE(optimise_essential_graph(ring.map, 0, ends, {}, {}).usable);
+    const LoopEnds ends{keyframe_poses(ring.atlas), {{kLast, KeyframeId{0}}}, {}};
+    ring.atlas.set_pose(kLast, ring.truth.back());  // what the loop says
+    EXPECT_TRUE(optimise_essential_graph(ring.atlas, 0, ends, {}, {}).usable);
     after += ring.worst_error();
-    EXPECT_LT(centre_error(ring.map.keyframe(kLast).cam_from_world, ring.truth.back()), 0.02);
-    EXPECT_EQ(ring.map.keyframe({0}).cam_from_world.translation, ring.truth[0].translation)
+    EXPECT_LT(centre_error(ring.atlas.keyframe(kLast).cam_from_world, ring.truth.back()), 0.02);
+    EXPECT_EQ(ring.atlas.keyframe({0}).cam_from_world.translation, ring.truth[0].translation)
         << "the world stays";
   }
   EXPECT_LT(after, 0.6 * before);
@@ -93,22 +93,22 @@ TEST(EssentialGraph, SpreadsTheErrorOfARoundOverIt) {
 
 TEST(EssentialGraph, WithoutNewsNothingMoves) {
   Ring ring(kDrift);
-  const KeyframePoses before = keyframe_poses(ring.map);
-  optimise_essential_graph(ring.map, 0, {before, {}, {}}, {}, {});
+  const KeyframePoses before = keyframe_poses(ring.atlas);
+  optimise_essential_graph(ring.atlas, 0, {before, {}, {}}, {}, {});
   for (std::uint32_t k = 0; k < Ring::kKeyframes; ++k) {
-    EXPECT_LT(centre_error(ring.map.keyframe({k}).cam_from_world, before[k]), 1e-9);
-    EXPECT_LT(angle_error(ring.map.keyframe({k}).cam_from_world, before[k]), 1e-7);
+    EXPECT_LT(centre_error(ring.atlas.keyframe({k}).cam_from_world, before[k]), 1e-9);
+    EXPECT_LT(angle_error(ring.atlas.keyframe({k}).cam_from_world, before[k]), 1e-7);
   }
 }
 
 TEST(EssentialGraph, FixedKeyframesStayAndTheRestFollows) {
   Ring ring(0);
-  const KeyframePoses before = keyframe_poses(ring.map);
+  const KeyframePoses before = keyframe_poses(ring.atlas);
   const Pose moved = before[12] * Pose(Eigen::Quaterniond::Identity(), {0.1, 0, 0});
-  ring.map.set_pose({12}, moved);
-  optimise_essential_graph(ring.map, 0, {before, {}, {KeyframeId{12}}}, {}, {});
-  EXPECT_EQ(ring.map.keyframe({12}).cam_from_world.translation, moved.translation);
-  const double half = centre_error(ring.map.keyframe({6}).cam_from_world, before[6]);
+  ring.atlas.set_pose({12}, moved);
+  optimise_essential_graph(ring.atlas, 0, {before, {}, {KeyframeId{12}}}, {}, {});
+  EXPECT_EQ(ring.atlas.keyframe({12}).cam_from_world.translation, moved.translation);
+  const double half = centre_error(ring.atlas.keyframe({6}).cam_from_world, before[6]);
   EXPECT_GT(half, 0.01);
   EXPECT_LT(half, 0.1);
 }
@@ -117,17 +117,17 @@ TEST(EssentialGraph, AnEarlierLoopStillHolds) {
   Ring ring(kDrift);
   constexpr KeyframeId kLast{Ring::kKeyframes - 1};
   ring.fuse_ends();
-  LoopEnds ends{keyframe_poses(ring.map), {{kLast, KeyframeId{0}}}, {}};
-  ring.map.set_pose(kLast, ring.truth.back());
-  optimise_essential_graph(ring.map, 0, ends, {}, {});
-  ring.map.tie(kLast, {0});
+  LoopEnds ends{keyframe_poses(ring.atlas), {{kLast, KeyframeId{0}}}, {}};
+  ring.atlas.set_pose(kLast, ring.truth.back());
+  optimise_essential_graph(ring.atlas, 0, ends, {}, {});
+  ring.atlas.add_loop_edge(kLast, {0});
   const double closed = ring.worst_error();
   // A push in the middle, as by a bad link, does not open the ring again.
-  const KeyframePoses before = keyframe_poses(ring.map);
+  const KeyframePoses before = keyframe_poses(ring.atlas);
   Vector6d push = Vector6d::Zero();
   push[0] = 0.05;
-  ring.map.set_pose({10}, Pose::exp(push) * before[10]);
-  optimise_essential_graph(ring.map, 0, {before, {}, {}}, {}, {});
+  ring.atlas.set_pose({10}, Pose::exp(push) * before[10]);
+  optimise_essential_graph(ring.atlas, 0, {before, {}, {}}, {}, {});
   EXPECT_LT(ring.worst_error(), closed + 1e-3);
 }
 

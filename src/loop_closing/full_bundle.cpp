@@ -6,53 +6,54 @@
 
 namespace stdc {
 
-FullBundle::FullBundle(const Map& map, int number)
-    : number_(number), bundle_(make_map_bundle(map, map.keyframe_ids(number), {})) {}
+FullBundle::FullBundle(const Atlas& atlas, int number)
+    : number_(number), bundle_(make_map_bundle(atlas, atlas.keyframe_ids(number), {})) {}
 
 void FullBundle::solve(const Camera& camera, const NoiseSettings& noise, const BundleSettings& settings) {
   result_ = bundle_adjust(camera, bundle_.problem, noise, settings);
 }
 
-bool FullBundle::apply(Map& map) const {
+bool FullBundle::apply(Atlas& atlas) const {
   if (!result_.usable) return false;
-  const KeyframePoses before = keyframe_poses(map);
+  const KeyframePoses before = keyframe_poses(atlas);
   KeyframePoses after = before;
   std::vector<std::uint8_t> adjusted(before.size(), 0);
   for (std::size_t i = 0; i < bundle_.keyframes.size(); ++i) {
     after[bundle_.keyframes[i].value] = bundle_.problem.cam_from_world[i];
     adjusted[bundle_.keyframes[i].value] = 1;
   }
-  for (const KeyframeId id : map.keyframe_ids(number_)) {  // parents come before their children
-    const KeyframeId parent = map.keyframe(id).parent;
+  for (const KeyframeId id : atlas.keyframe_ids(number_)) {  // parents come before their children
+    const KeyframeId parent = atlas.keyframe(id).parent;
     if (adjusted[id.value] == 0 && parent.valid()) {
       after[id.value] = before[id.value] * before[parent.value].inverse() * after[parent.value];
     }
-    map.set_pose(id, after[id.value]);
+    atlas.set_pose(id, after[id.value]);
   }
-  std::vector<LandmarkId> carried = landmarks_of(map, map.keyframe_ids(number_));
+  std::vector<LandmarkId> carried = landmarks_of(atlas, atlas.keyframe_ids(number_));
   std::erase_if(carried, [&](LandmarkId id) {
     return std::binary_search(bundle_.landmarks.begin(), bundle_.landmarks.end(), id);
   });
-  carry_landmarks(map, carried, before, {});
+  carry_landmarks(atlas, carried, before, {});
   for (std::size_t point = 0; point < bundle_.landmarks.size(); ++point) {
-    if (map.has(bundle_.landmarks[point]))
-      map.set_position(bundle_.landmarks[point], bundle_.problem.points[point]);
+    if (atlas.has(bundle_.landmarks[point]))
+      atlas.set_position(bundle_.landmarks[point], bundle_.problem.points[point]);
   }
-  forget_outliers(map);
+  forget_outliers(atlas);
   for (const LandmarkId id : bundle_.landmarks) {
-    if (map.has(id)) map.refresh_geometry(id);
+    if (atlas.has(id)) atlas.refresh_geometry(id);
   }
   return true;
 }
 
-void FullBundle::forget_outliers(Map& map) const {
+void FullBundle::forget_outliers(Atlas& atlas) const {
   for (std::size_t i = 0; i < bundle_.keypoints.size(); ++i) {
     if (result_.inlier[i] != 0) continue;
     const BundleObservation& seen = bundle_.problem.observations[i];
     const KeyframeId keyframe = bundle_.keyframes[seen.pose];
     const LandmarkId landmark = bundle_.landmarks[seen.point];
-    if (!map.has(keyframe) || map.keyframe(keyframe).landmarks[bundle_.keypoints[i]] != landmark) continue;
-    map.forget(keyframe, bundle_.keypoints[i]);
+    if (!atlas.has(keyframe) || atlas.keyframe(keyframe).landmarks[bundle_.keypoints[i]] != landmark)
+      continue;
+    atlas.remove_observation(keyframe, bundle_.keypoints[i]);
   }
 }
 

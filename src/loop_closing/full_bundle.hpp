@@ -1,8 +1,8 @@
 #pragma once
 
+#include "atlas/map_bundle.hpp"
 #include "core/camera.hpp"
 #include "estimation/noise_settings.hpp"
-#include "map/map_bundle.hpp"
 
 namespace stdc {
 
@@ -13,18 +13,18 @@ namespace stdc {
 class FullBundle {
  public:
   /// Copies all that is known of the map; its root is fixed.
-  FullBundle(const Map& map, int number);
+  FullBundle(const Atlas& atlas, int number);
 
   /// Optimises the copy; needs no map.
   void solve(const Camera& camera, const NoiseSettings& noise, const BundleSettings& settings);
   /// Takes the solution in. False, and nothing is changed, if it is not usable.
-  bool apply(Map& map) const;
+  bool apply(Atlas& atlas) const;
 
   int keyframes() const { return bundle_.moving; }
   int observations() const { return static_cast<int>(bundle_.keypoints.size()); }
 
  private:
-  void forget_outliers(Map& map) const;
+  void forget_outliers(Atlas& atlas) const;
 
   int number_;
   MapBundle bundle_;

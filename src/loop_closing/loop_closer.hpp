@@ -5,8 +5,8 @@
 
 #include "estimation/pose_optimisation.hpp"
 #include "loop_closing/loop_correction.hpp"
-#include "loop_closing/loop_detector.hpp"
-#include "map/place_index.hpp"
+#include "place_recognition/loop_detector.hpp"
+#include "place_recognition/place_index.hpp"
 
 namespace stdc {
 
@@ -19,11 +19,11 @@ class LoopCloser {
       : tools_(tools), optimisation_(optimisation), detector_(tools_.settings) {}
 
   /// Enters all keyframes of a map that was read from a file.
-  void enter_all(const Map& map);
+  void enter_all(const Atlas& atlas);
   /// Enters a keyframe that has been mapped, takes out what was culled, and looks for a place seen before.
   /// To be called for each keyframe in order.
-  std::optional<VerifiedLoop> find(const Map& map, KeyframeId current);
-  LoopCorrection close(Map& map, const VerifiedLoop& loop);
+  std::optional<VerifiedLoop> find(const Atlas& atlas, KeyframeId current);
+  LoopCorrection close(Atlas& atlas, const VerifiedLoop& loop);
 
   /// A place where a lost frame may be, the likeliest first.
   struct FramePlace {
@@ -31,10 +31,10 @@ class LoopCloser {
     PlacePose pose;
   };
   /// The places of any map that fit a frame of which nothing is known.
-  std::vector<FramePlace> locate(const Map& map, const ImageOfPlace& image) const;
+  std::vector<FramePlace> locate(const Atlas& atlas, const ImageOfPlace& image) const;
 
  private:
-  std::optional<VerifiedLoop> look(const Map& map, KeyframeId current);
+  std::optional<VerifiedLoop> look(const Atlas& atlas, KeyframeId current);
 
   LoopTools tools_;
   PoseOptimisationSettings optimisation_;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "atlas/fuse_landmark.hpp"
+#include "atlas/landmark_alignment.hpp"
+#include "atlas/map_bundle.hpp"
 #include "loop_closing/essential_graph.hpp"
-#include "map/fuse_landmark.hpp"
-#include "map/landmark_alignment.hpp"
-#include "map/map_bundle.hpp"
 
 namespace stdc {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 /// Keyframes by id, for asking whether one of them is meant.
 class KeyframeSet {
  public:
-  explicit KeyframeSet(const Map& map) : in_(map.keyframe_id_limit(), 0) {}
+  explicit KeyframeSet(const Atlas& atlas) : in_(atlas.keyframe_id_limit(), 0) {}
   void add(KeyframeId id) { in_[id.value] = 1; }
   bool has(KeyframeId id) const { return in_[id.value] != 0; }
 
@@ -37,44 +37,44 @@ std::vector<KeyframeId> neighbours_by_id(const Keyframe& keyframe) {
   return ids;
 }
 
-Ends find_ends(const Map& map, const VerifiedLoop& loop, int window) {
-  Ends ends{{}, place_window(map, loop.matched, window), {}, KeyframeSet(map), {}};
-  ends.of_place = landmarks_of(map, ends.place);
+Ends find_ends(const Atlas& atlas, const VerifiedLoop& loop, int window) {
+  Ends ends{{}, place_window(atlas, loop.matched, window), {}, KeyframeSet(atlas), {}};
+  ends.of_place = landmarks_of(atlas, ends.place);
   for (const LandmarkId id : ends.of_place) {
-    for (const Observation& o : map.landmark(id).observations) ends.sees_place.add(o.keyframe);
+    for (const Observation& o : atlas.landmark(id).observations) ends.sees_place.add(o.keyframe);
   }
-  for (const PlaceSight& s : loop.sights) {
-    for (const Observation& o : map.landmark(s.landmark).observations) ends.sees_place.add(o.keyframe);
+  for (const PlaceObservation& s : loop.observations) {
+    for (const Observation& o : atlas.landmark(s.landmark).observations) ends.sees_place.add(o.keyframe);
   }
   ends.window.push_back(loop.current);
-  for (const Covisible& c : map.keyframe(loop.current).covisible) {
+  for (const Covisible& c : atlas.keyframe(loop.current).covisible) {
     if (!ends.sees_place.has(c.keyframe)) ends.window.push_back(c.keyframe);
   }
-  for (const KeyframeId id : ends.window) ends.known.push_back(neighbours_by_id(map.keyframe(id)));
+  for (const KeyframeId id : ends.window) ends.known.push_back(neighbours_by_id(atlas.keyframe(id)));
   return ends;
 }
 
 /// Brings the younger of two maps to where it fits the older one. `loop.cam_from_world` is in the coordinates
 /// of the place's map.
-void join_maps(Map& map, const VerifiedLoop& loop) {
-  const Keyframe& current = map.keyframe(loop.current);
-  const int of_current = current.map, of_place = map.keyframe(loop.matched).map;
+void join_maps(Atlas& atlas, const VerifiedLoop& loop) {
+  const Keyframe& current = atlas.keyframe(loop.current);
+  const int of_current = current.map, of_place = atlas.keyframe(loop.matched).map;
   const bool current_is_younger = of_current > of_place;
   const int younger = std::max(of_current, of_place), older = std::min(of_current, of_place);
   const Pose place_from_current = loop.cam_from_world.inverse() * current.cam_from_world;
-  const std::vector<KeyframeId> moved = map.keyframe_ids(younger);
-  move_rigidly(map, moved, landmarks_of(map, moved),
+  const std::vector<KeyframeId> moved = atlas.keyframe_ids(younger);
+  move_rigidly(atlas, moved, landmarks_of(atlas, moved),
                current_is_younger ? place_from_current : place_from_current.inverse());
-  map.join(younger, older);
+  atlas.join(younger, older);
 }
 
 /// The window goes to where the place puts it; so do the landmarks that it alone sees. Returns the keyframes
 /// that carry these from now on.
-LandmarkCarriers move_window(Map& map, const Ends& ends, const Pose& corrected_from_world) {
-  LandmarkCarriers carriers(map.landmark_id_limit());
+LandmarkCarriers move_window(Atlas& atlas, const Ends& ends, const Pose& corrected_from_world) {
+  LandmarkCarriers carriers(atlas.landmark_id_limit());
   std::vector<LandmarkId> moved;
   for (const KeyframeId id : ends.window) {
-    for (const LandmarkId landmark : map.keyframe(id).landmarks) {
+    for (const LandmarkId landmark : atlas.keyframe(id).landmarks) {
       if (!landmark.valid() || carriers[landmark.value].valid()) continue;
       carriers[landmark.value] = id;
       moved.push_back(landmark);
@@ -86,21 +86,21 @@ LandmarkCarriers move_window(Map& map, const Ends& ends, const Pose& corrected_f
     if (of_place) carriers[id.value] = {};
     return of_place;
   });
-  move_rigidly(map, ends.window, moved, corrected_from_world);
+  move_rigidly(atlas, ends.window, moved, corrected_from_world);
   return carriers;
 }
 
 /// What the keyframe was verified by: its keypoints see the place's landmarks.
-int take_sights(const LoopTools& tools, Map& map, const VerifiedLoop& loop) {
+int take_observations(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop) {
   int taken = 0;
-  for (const PlaceSight& s : loop.sights) {
-    if (!map.has(s.landmark)) continue;
-    const LandmarkId standing = map.keyframe(loop.current).landmarks[s.keypoint];
+  for (const PlaceObservation& s : loop.observations) {
+    if (!atlas.has(s.landmark)) continue;
+    const LandmarkId standing = atlas.keyframe(loop.current).landmarks[s.keypoint];
     if (standing == s.landmark) continue;
     if (standing.valid()) {
-      merge_landmarks(map, standing, s.landmark, tools.camera, tools.noise);
-    } else if (map.observe(loop.current, s.keypoint, s.landmark)) {
-      align_observation(map, tools.camera, tools.noise, s.landmark, loop.current);
+      merge_landmarks(atlas, standing, s.landmark, tools.camera, tools.noise);
+    } else if (atlas.observe(loop.current, s.keypoint, s.landmark)) {
+      align_observation(atlas, tools.camera, tools.noise, s.landmark, loop.current);
     }
     ++taken;
   }
@@ -108,74 +108,74 @@ int take_sights(const LoopTools& tools, Map& map, const VerifiedLoop& loop) {
 }
 
 /// Both ends see the same landmarks: those of the place stay. Returns the links across the loop.
-std::vector<LoopLink> fuse_ends(const LoopTools& tools, Map& map, const VerifiedLoop& loop, const Ends& ends,
-                                int& fused) {
-  const FuseSearch search{tools.settings.fuse_radius, tools.settings.match_distance, true};
-  fused += take_sights(tools, map, loop);
+std::vector<LoopLink> fuse_ends(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop,
+                                const Ends& ends, int& fused) {
+  const FuseSearch search{tools.settings.fuse_radius, tools.settings.max_hamming_distance, true};
+  fused += take_observations(tools, atlas, loop);
   for (const KeyframeId keyframe : ends.window) {
     for (const LandmarkId landmark : ends.of_place) {
-      if (map.has(landmark))
-        fused += fuse_landmark(map, keyframe, landmark, tools.camera, tools.noise, search) ? 1 : 0;
+      if (atlas.has(landmark))
+        fused += fuse_landmark(atlas, keyframe, landmark, tools.camera, tools.noise, search) ? 1 : 0;
     }
   }
   std::vector<LoopLink> links{{loop.current, loop.matched}};
-  for (const LandmarkId landmark : landmarks_of(map, ends.window)) map.refresh(landmark);
+  for (const LandmarkId landmark : landmarks_of(atlas, ends.window)) atlas.refresh(landmark);
   for (std::size_t i = 0; i < ends.window.size(); ++i) {
-    map.update_covisibility(ends.window[i]);
-    for (const KeyframeId other : neighbours_by_id(map.keyframe(ends.window[i]))) {
+    atlas.update_covisibility(ends.window[i]);
+    for (const KeyframeId other : neighbours_by_id(atlas.keyframe(ends.window[i]))) {
       const auto& known = ends.known[i];
       if (!ends.sees_place.has(other) || std::binary_search(known.begin(), known.end(), other)) continue;
       links.emplace_back(ends.window[i], other);
     }
   }
-  map.tie(loop.current, loop.matched);
+  atlas.add_loop_edge(loop.current, loop.matched);
   return links;
 }
 
 /// Adjusts both ends of a seam together. Returns the keyframes that it may have moved.
-std::vector<KeyframeId> weld(const LoopTools& tools, Map& map, const Ends& ends) {
+std::vector<KeyframeId> weld(const LoopTools& tools, Atlas& atlas, const Ends& ends) {
   std::vector<KeyframeId> moving = ends.window;
   for (const KeyframeId id : ends.place) {
     if (std::find(moving.begin(), moving.end(), id) == moving.end()) moving.push_back(id);
   }
   constexpr int kFixed = 20;
-  MapBundle bundle = make_map_bundle(map, moving, other_observers(map, moving, kFixed));
+  MapBundle bundle = make_map_bundle(atlas, moving, other_observers(atlas, moving, kFixed));
   const BundleResult result = bundle_adjust(tools.camera, bundle.problem, tools.noise, tools.bundle);
-  apply_bundle(map, bundle, result);
+  apply_bundle(atlas, bundle, result);
   return moving;
 }
 
 }  // namespace
 
-LoopCorrection close_loop(const LoopTools& tools, Map& map, const VerifiedLoop& loop) {
+LoopCorrection close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop) {
   LoopCorrection correction;
-  correction.merged = map.keyframe(loop.current).map != map.keyframe(loop.matched).map;
+  correction.merged = atlas.keyframe(loop.current).map != atlas.keyframe(loop.matched).map;
   correction.drift =
-      (map.keyframe(loop.current).cam_from_world.centre() - loop.cam_from_world.centre()).norm();
+      (atlas.keyframe(loop.current).cam_from_world.centre() - loop.cam_from_world.centre()).norm();
   Pose corrected_from_world;
   if (correction.merged) {
-    join_maps(map, loop);
+    join_maps(atlas, loop);
   } else {
-    corrected_from_world = loop.cam_from_world.inverse() * map.keyframe(loop.current).cam_from_world;
+    corrected_from_world = loop.cam_from_world.inverse() * atlas.keyframe(loop.current).cam_from_world;
   }
-  const int number = map.keyframe(loop.current).map;
-  const Ends ends = find_ends(map, loop, tools.settings.window);
-  LoopEnds known{keyframe_poses(map), {}, {}};
-  const LandmarkCarriers carriers = move_window(map, ends, corrected_from_world);
-  known.links = fuse_ends(tools, map, loop, ends, correction.fused);
-  const KeyframePoses corrected = keyframe_poses(map);
-  std::vector<LandmarkId> carried = landmarks_of(map, map.keyframe_ids(number));
+  const int number = atlas.keyframe(loop.current).map;
+  const Ends ends = find_ends(atlas, loop, tools.settings.window);
+  LoopEnds known{keyframe_poses(atlas), {}, {}};
+  const LandmarkCarriers carriers = move_window(atlas, ends, corrected_from_world);
+  known.links = fuse_ends(tools, atlas, loop, ends, correction.fused);
+  const KeyframePoses corrected = keyframe_poses(atlas);
+  std::vector<LandmarkId> carried = landmarks_of(atlas, atlas.keyframe_ids(number));
   if (correction.merged) {
-    known.fixed = weld(tools, map, ends);
+    known.fixed = weld(tools, atlas, ends);
     // The weld has placed its landmarks itself.
-    const std::vector<LandmarkId> welded = landmarks_of(map, known.fixed);
-    carried = landmarks_of(map, map.keyframe_ids(number));
+    const std::vector<LandmarkId> welded = landmarks_of(atlas, known.fixed);
+    carried = landmarks_of(atlas, atlas.keyframe_ids(number));
     std::erase_if(carried,
                   [&](LandmarkId id) { return std::binary_search(welded.begin(), welded.end(), id); });
   }
-  optimise_essential_graph(map, number, known, tools.graph, tools.settings);
-  carry_landmarks(map, carried, corrected, carriers);
-  correction.keyframes = map.keyframe_count(number);
+  optimise_essential_graph(atlas, number, known, tools.graph, tools.settings);
+  carry_landmarks(atlas, carried, corrected, carriers);
+  correction.keyframes = atlas.keyframe_count(number);
   return correction;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/noise_settings.hpp"
 #include "estimation/pose_graph.hpp"
 #include "loop_closing/loop_settings.hpp"
-#include "loop_closing/loop_verification.hpp"
-#include "map/map.hpp"
+#include "place_recognition/loop_verification.hpp"
 
 namespace stdc {
 
@@ -14,7 +14,7 @@ namespace stdc {
 struct LoopCorrection {
   bool merged = false;  ///< two maps became one
   int keyframes = 0;    ///< of the map that was corrected
-  int fused = 0;        ///< landmarks that turned out to be one, and new sights
+  int fused = 0;        ///< landmarks that turned out to be one, and new observations
   double drift = 0;     ///< [m] between where the keyframe was thought to be and where it is
 };
 
@@ -34,6 +34,6 @@ struct LoopTools {
 /// If the place belongs to another map the two become one: the younger one is moved rigidly to where it fits
 /// and joined to the older one, the seam is welded by a bundle adjustment of both neighbourhoods, and the
 /// essential graph spreads what that moved (Campos et al., 'ORB-SLAM3', T-RO 2021, sec. VI-B).
-LoopCorrection close_loop(const LoopTools& tools, Map& map, const VerifiedLoop& loop);
+LoopCorrection close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop);
 
 }  // namespace stdc

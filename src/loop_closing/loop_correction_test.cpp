@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "atlas/map_bundle.hpp"
 #include "loop_closing/full_bundle.hpp"
 #include "loop_closing/loop_closer.hpp"
-#include "loop_closing/test_revisit.hpp"
-#include "map/map_bundle.hpp"
+#include "place_recognition/test_revisit.hpp"
 
 namespace stdc {
 namespace {
@@ -21,22 +21,22 @@ LoopTools tools_for(const Revisit& revisit) { return {revisit.mapped.scene.camer
 
 LoopCorrection close(Revisit& revisit, KeyframeId current, KeyframeId matched) {
   const LoopTools tools = tools_for(revisit);
-  const auto loop = verify_loop(tools.camera, revisit.mapped.map, current, matched, {}, {}, tools.settings);
+  const auto loop = verify_loop(tools.camera, revisit.mapped.atlas, current, matched, {}, {}, tools.settings);
   EXPECT_TRUE(loop);
-  return close_loop(tools, revisit.mapped.map, *loop);
+  return close_loop(tools, revisit.mapped.atlas, *loop);
 }
 
 /// Both sides of every observation agree, and no landmark is nowhere.
-void expect_whole(const Map& map) {
-  for (const KeyframeId id : map.keyframe_ids()) {
-    const Keyframe& keyframe = map.keyframe(id);
-    EXPECT_TRUE(keyframe.parent.valid() || map.root(keyframe.map) == id);
+void expect_whole(const Atlas& atlas) {
+  for (const KeyframeId id : atlas.keyframe_ids()) {
+    const Keyframe& keyframe = atlas.keyframe(id);
+    EXPECT_TRUE(keyframe.parent.valid() || atlas.root(keyframe.map) == id);
     for (std::size_t i = 0; i < keyframe.landmarks.size(); ++i) {
       const LandmarkId landmark = keyframe.landmarks[i];
       if (!landmark.valid()) continue;
-      ASSERT_TRUE(map.has(landmark));
-      EXPECT_EQ(map.keypoint_of(landmark, id), static_cast<int>(i));
-      EXPECT_TRUE(map.landmark(landmark).position.allFinite());
+      ASSERT_TRUE(atlas.has(landmark));
+      EXPECT_EQ(atlas.keypoint_of(landmark, id), static_cast<int>(i));
+      EXPECT_TRUE(atlas.landmark(landmark).position.allFinite());
     }
   }
 }
@@ -44,13 +44,13 @@ void expect_whole(const Map& map) {
 /// Largest distance between where a keyframe sees a landmark and where it should be seen [px], of the better
 /// nine tenths.
 double reprojection_error(const Revisit& revisit) {
-  const Map& map = revisit.mapped.map;
+  const Atlas& atlas = revisit.mapped.atlas;
   std::vector<double> errors;
-  for (const KeyframeId id : map.keyframe_ids()) {
-    const Keyframe& keyframe = map.keyframe(id);
+  for (const KeyframeId id : atlas.keyframe_ids()) {
+    const Keyframe& keyframe = atlas.keyframe(id);
     for (std::size_t i = 0; i < keyframe.landmarks.size(); ++i) {
       if (!keyframe.landmarks[i].valid()) continue;
-      const Eigen::Vector3d point = keyframe.cam_from_world * map.landmark(keyframe.landmarks[i]).position;
+      const Eigen::Vector3d point = keyframe.cam_from_world * atlas.landmark(keyframe.landmarks[i]).position;
       const Eigen::Vector2d pixel = revisit.mapped.scene.camera.project(point);
       errors.push_back((pixel - keyframe.measurements[i].pixel.cast<double>()).norm());
     }
@@ -65,23 +65,23 @@ TEST(LoopCorrection, BringsTheSecondVisitToTheFirst) {
   revisit.visit_second(revisit.mapped.scene, 6);
   std::vector<Pose> truth;
   for (const KeyframeId id : revisit.second) truth.push_back(revisit.truth(id));
-  const int landmarks = revisit.mapped.map.landmark_count();
+  const int landmarks = revisit.mapped.atlas.landmark_count();
   const LoopCorrection done = close(revisit, revisit.second[4], revisit.first[4]);
-  const Map& map = revisit.mapped.map;
+  const Atlas& atlas = revisit.mapped.atlas;
   EXPECT_FALSE(done.merged);
   EXPECT_EQ(done.keyframes, 12);
   EXPECT_GT(done.fused, 100);
   EXPECT_NEAR(done.drift, 0.25, 0.15);
-  EXPECT_LT(map.landmark_count(), landmarks - 100) << "what both visits see is one";
+  EXPECT_LT(atlas.landmark_count(), landmarks - 100) << "what both visits see is one";
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    EXPECT_LT(centre_error(map.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.03) << i;
-    EXPECT_LT(angle_error(map.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.02) << i;
+    EXPECT_LT(centre_error(atlas.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.03) << i;
+    EXPECT_LT(angle_error(atlas.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.02) << i;
   }
-  EXPECT_EQ(map.keyframe(revisit.second[4]).loops, std::vector<KeyframeId>{revisit.first[4]});
-  EXPECT_EQ(map.keyframe(revisit.first[0]).cam_from_world.translation,
+  EXPECT_EQ(atlas.keyframe(revisit.second[4]).loops, std::vector<KeyframeId>{revisit.first[4]});
+  EXPECT_EQ(atlas.keyframe(revisit.first[0]).cam_from_world.translation,
             revisit.mapped.views[0].cam_from_world.translation)
       << "the world stays";
-  expect_whole(map);
+  expect_whole(atlas);
 }
 
 TEST(LoopCorrection, TheVisitsSeeEachOtherAfterwards) {
@@ -89,7 +89,7 @@ TEST(LoopCorrection, TheVisitsSeeEachOtherAfterwards) {
   revisit.visit_first(5);
   revisit.visit_second(revisit.mapped.scene, 5);
   close(revisit, revisit.second[3], revisit.first[3]);
-  const Keyframe& current = revisit.mapped.map.keyframe(revisit.second[3]);
+  const Keyframe& current = revisit.mapped.atlas.keyframe(revisit.second[3]);
   const auto across =
       std::count_if(current.covisible.begin(), current.covisible.end(),
                     [&](const Covisible& c) { return c.keyframe.value < revisit.first.size(); });
@@ -102,7 +102,7 @@ TEST(LoopCorrection, SameBytesEveryTime) {
     revisit.visit_first(4);
     revisit.visit_second(revisit.mapped.scene, 4);
     close(revisit, revisit.second[2], revisit.first[2]);
-    return revisit.mapped.map.keyframe(revisit.second[3]).cam_from_world;
+    return revisit.mapped.atlas.keyframe(revisit.second[3]).cam_from_world;
   };
   const Pose first = run(), second = run();
   EXPECT_EQ(first.rotation.coeffs(), second.rotation.coeffs());
@@ -119,22 +119,22 @@ Revisit two_maps() {
 }
 
 void expect_merged(Revisit& revisit, const LoopCorrection& done, const std::vector<Pose>& truth) {
-  const Map& map = revisit.mapped.map;
+  const Atlas& atlas = revisit.mapped.atlas;
   EXPECT_TRUE(done.merged);
   EXPECT_EQ(done.keyframes, 10);
-  EXPECT_FALSE(map.root(1).valid());
-  EXPECT_EQ(map.keyframe_count(0), 10);
+  EXPECT_FALSE(atlas.root(1).valid());
+  EXPECT_EQ(atlas.keyframe_count(0), 10);
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    EXPECT_LT(centre_error(map.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.02) << i;
-    EXPECT_LT(angle_error(map.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.01) << i;
+    EXPECT_LT(centre_error(atlas.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.02) << i;
+    EXPECT_LT(angle_error(atlas.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.01) << i;
   }
-  expect_whole(map);
+  expect_whole(atlas);
   EXPECT_LT(reprojection_error(revisit), 3);
 }
 
 TEST(LoopCorrection, MergesTheYoungerMapIntoTheOlder) {
   Revisit revisit = two_maps();
-  ASSERT_EQ(revisit.mapped.map.map_count(), 2);
+  ASSERT_EQ(revisit.mapped.atlas.map_count(), 2);
   std::vector<Pose> truth;
   for (const KeyframeId id : revisit.second) truth.push_back(revisit.truth(id));
   expect_merged(revisit, close(revisit, revisit.second[2], revisit.first[2]), truth);
@@ -151,14 +151,14 @@ TEST(LoopCloser, FindsTheSecondVisitAndClosesTheLoop) {
   Revisit revisit{Scene(500)};
   revisit.visit_first(5);
   LoopCloser closer(tools_for(revisit), {});
-  for (const KeyframeId id : revisit.first) EXPECT_FALSE(closer.find(revisit.mapped.map, id));
+  for (const KeyframeId id : revisit.first) EXPECT_FALSE(closer.find(revisit.mapped.atlas, id));
   revisit.visit_second(revisit.mapped.scene, 5);
   int found = 0;
   for (const KeyframeId id : revisit.second) {
-    const auto loop = closer.find(revisit.mapped.map, id);
+    const auto loop = closer.find(revisit.mapped.atlas, id);
     if (!loop) continue;
     ++found;
-    closer.close(revisit.mapped.map, *loop);
+    closer.close(revisit.mapped.atlas, *loop);
   }
   EXPECT_EQ(found, 1) << "once closed, both visits are one place";
 }
@@ -167,27 +167,27 @@ TEST(LoopCloser, LocatesAFrameByItsLooks) {
   Revisit revisit{Scene(500)};
   revisit.visit_first(5);
   LoopCloser closer(tools_for(revisit), {});
-  closer.enter_all(revisit.mapped.map);
+  closer.enter_all(revisit.mapped.atlas);
   test::ViewOptions options;
   options.depth_noise = 0.003;
   options.pixel_noise = 0.4;
   options.seed = 55;
   const test::View view = revisit.mapped.scene.look(test::camera_at(0.15, 0, 0.1, 0.02, 0.03, 0.1), options);
-  const auto places = closer.locate(revisit.mapped.map, {*view.features, view.motion});
+  const auto places = closer.locate(revisit.mapped.atlas, {*view.features, view.motion});
   ASSERT_FALSE(places.empty());
   EXPECT_LT(centre_error(places.front().pose.cam_from_world, view.cam_from_world), 0.01);
   const test::View elsewhere = Scene(500, false, 9).look(test::camera_at(0, 0, 0), options);
-  EXPECT_TRUE(closer.locate(revisit.mapped.map, {*elsewhere.features, elsewhere.motion}).empty());
+  EXPECT_TRUE(closer.locate(revisit.mapped.atlas, {*elsewhere.features, elsewhere.motion}).empty());
 }
 
 TEST(LoopCloser, WhatWasCulledIsForgotten) {
   Revisit revisit{Scene(400)};
   revisit.visit_first(5);
   LoopCloser closer(tools_for(revisit), {});
-  for (int k = 0; k < 4; ++k) closer.find(revisit.mapped.map, revisit.first[k]);
-  revisit.mapped.map.remove(revisit.first[2]);
-  EXPECT_FALSE(closer.find(revisit.mapped.map, revisit.first[4]));
-  const auto places = closer.locate(revisit.mapped.map, {*revisit.mapped.views[2].features, {}});
+  for (int k = 0; k < 4; ++k) closer.find(revisit.mapped.atlas, revisit.first[k]);
+  revisit.mapped.atlas.remove(revisit.first[2]);
+  EXPECT_FALSE(closer.find(revisit.mapped.atlas, revisit.first[4]));
+  const auto places = closer.locate(revisit.mapped.atlas, {*revisit.mapped.views[2].features, {}});
   for (const auto& place : places) EXPECT_NE(place.keyframe, revisit.first[2]);
 }
 
@@ -197,9 +197,9 @@ TEST(LoopCloser, CanBeSwitchedOff) {
   LoopTools tools = tools_for(revisit);
   tools.settings.active = false;
   LoopCloser closer(tools, {});
-  closer.enter_all(revisit.mapped.map);
+  closer.enter_all(revisit.mapped.atlas);
   revisit.visit_second(revisit.mapped.scene, 5);
-  for (const KeyframeId id : revisit.second) EXPECT_FALSE(closer.find(revisit.mapped.map, id));
+  for (const KeyframeId id : revisit.second) EXPECT_FALSE(closer.find(revisit.mapped.atlas, id));
 }
 
 }  // namespace

@@ -12,13 +12,13 @@ struct LoopSettings {
   int candidates = 3;
   int consistency = 2;
   int window = 6;
-  int match_distance = 60;
-  double best_to_second = 0.85;
+  int max_hamming_distance = 60;
+  double max_ratio = 0.85;
   int ransac_trials = 300;
   int ransac_inliers = 15;
   double guided_radius = 6;
-  int least_inliers = 40;
-  double least_share = 0.2;
+  int min_inliers = 40;
+  double min_share = 0.2;
   double fuse_radius = 4;
   int strong_link = 100;
 
@@ -37,11 +37,10 @@ struct LoopSettings {
           self.consistency);
     visit(Setting{"window", "count", "Keyframes of a place whose landmarks are matched", 1, 100},
           self.window);
-    visit(Setting{"match_distance", "bits", "Largest descriptor distance of a match", 1, 256},
-          self.match_distance);
-    visit(Setting{"best_to_second", "ratio", "A match must be better than the next best by this factor", 0.1,
-                  1},
-          self.best_to_second);
+    visit(Setting{"max_hamming_distance", "bits", "Largest descriptor distance of a match", 1, 256},
+          self.max_hamming_distance);
+    visit(Setting{"max_ratio", "ratio", "A match must be better than the next best by this factor", 0.1, 1},
+          self.max_ratio);
     visit(Setting{"ransac_trials", "count", "Most alignments of three points that are tried", 1, 100000},
           self.ransac_trials);
     visit(Setting{"ransac_inliers", "count",
@@ -49,9 +48,9 @@ struct LoopSettings {
           self.ransac_inliers);
     visit(Setting{"guided_radius", "px", "Search radius around a landmark once the pose is known", 0.5, 100},
           self.guided_radius);
-    visit(Setting{"least_inliers", "count", "Landmarks that must be found again in the end", 6, 1000},
-          self.least_inliers);
-    visit(Setting{"least_share", "ratio", "The same, of those that should be seen", 0, 1}, self.least_share);
+    visit(Setting{"min_inliers", "count", "Landmarks that must be found again in the end", 6, 1000},
+          self.min_inliers);
+    visit(Setting{"min_share", "ratio", "The same, of those that should be seen", 0, 1}, self.min_share);
     visit(Setting{"fuse_radius", "px", "Search radius for landmarks that both ends of a loop see", 0.5, 50},
           self.fuse_radius);
     visit(Setting{"strong_link", "count",

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "atlas/landmark_alignment.hpp"
 #include "core/multiversion.hpp"
 #include "estimation/triangulation.hpp"
-#include "features/hamming.hpp"
-#include "features/matching.hpp"
-#include "map/landmark_alignment.hpp"
+#include "features/description/hamming.hpp"
+#include "features/description/matching.hpp"
 
 namespace stdc {
 namespace {
@@ -29,8 +29,8 @@ struct View {
   float depth(int keypoint) const { return (*measurements)[keypoint].depth; }
 };
 
-View make_view(const Map& map, KeyframeId id) {
-  const Keyframe& keyframe = map.keyframe(id);
+View make_view(const Atlas& atlas, KeyframeId id) {
+  const Keyframe& keyframe = atlas.keyframe(id);
   View view{id, keyframe.features.get(), &keyframe.measurements, keyframe.cam_from_world, {}};
   for (int i = 0; i < keyframe.features->size(); ++i) {
     if (!keyframe.landmarks[i].valid()) view.free.push_back(i);
@@ -50,16 +50,16 @@ Eigen::Matrix3f fundamental(const Camera& camera, const View& a, const View& b) 
 /// For each free keypoint of `a` the nearest free one of `b` on its epipolar line; one to one.
 STDC_POPCNT_VERSIONS
 std::vector<KeypointPair> match_along_epipolars(const Camera& camera, const View& a, const View& b,
-                                                const NoiseSettings& noise, int largest_distance) {
+                                                const NoiseSettings& noise, int max_distance) {
   const Eigen::Matrix3f f = fundamental(camera, a, b);
   const float gate = static_cast<float>(kChiSquare1 * noise.pixel_sigma * noise.pixel_sigma);
   std::vector<KeypointPair> pairs;
-  std::vector<float> turns;
+  std::vector<float> rotations;
   std::vector<std::uint8_t> taken(b.features->size(), 0);
   for (const int i : a.free) {
     const Eigen::Vector3f line = f * a.pixel(i).homogeneous();
     const float norm2 = line.head<2>().squaredNorm();
-    int best = -1, least = largest_distance + 1;
+    int best = -1, least = max_distance + 1;
     for (const int j : b.free) {
       if (taken[j] != 0 || std::abs(a.features->keypoint(i).level - b.features->keypoint(j).level) > 2)
         continue;
@@ -74,9 +74,9 @@ std::vector<KeypointPair> match_along_epipolars(const Camera& camera, const View
     if (best < 0) continue;
     taken[best] = 1;
     pairs.push_back({i, best});
-    turns.push_back(a.features->keypoint(i).angle - b.features->keypoint(best).angle);
+    rotations.push_back(a.features->keypoint(i).angle - b.features->keypoint(best).angle);
   }
-  const auto keep = consistent_turns(turns);
+  const auto keep = consistent_rotations(rotations);
   std::size_t kept = 0;
   for (std::size_t n = 0; n < pairs.size(); ++n) {
     if (keep[n] != 0) pairs[kept++] = pairs[n];
@@ -106,13 +106,13 @@ std::optional<Eigen::Vector3d> from_depth(const Camera& camera, const View& view
 }
 
 std::optional<Eigen::Vector3d> locate(const Camera& camera, const View& a, const View& b,
-                                      const KeypointPair& pair, double minimum_parallax_deg) {
+                                      const KeypointPair& pair, double min_parallax_deg) {
   const Eigen::Vector3d ray_a = camera.unproject(a.pixel(pair.first).cast<double>(), 1);
   const Eigen::Vector3d ray_b = camera.unproject(b.pixel(pair.second).cast<double>(), 1);
   const Eigen::Vector3d in_world_a = a.cam_from_world.rotation.conjugate() * ray_a;
   const Eigen::Vector3d in_world_b = b.cam_from_world.rotation.conjugate() * ray_b;
   const double angle = std::atan2(in_world_a.cross(in_world_b).norm(), in_world_a.dot(in_world_b));
-  if (angle * 180 / 3.141592653589793 >= minimum_parallax_deg) {
+  if (angle * 180 / 3.141592653589793 >= min_parallax_deg) {
     return triangulate(a.cam_from_world, ray_a, b.cam_from_world, ray_b);
   }
   const auto position = from_depth(camera, a, pair.first);
@@ -128,42 +128,43 @@ bool scales_agree(const View& a, const View& b, const KeypointPair& pair, const 
   return distances < scales * tolerance && scales < distances * tolerance;
 }
 
-/// The older of the two sights defines the landmark, the younger is aligned to it.
-void anchor_new(Map& map, const Camera& camera, const NoiseSettings& noise, LandmarkId id) {
-  const std::vector<Observation>& observations = map.landmark(id).observations;
+/// The older of the two observations defines the landmark, the younger is aligned to it.
+void anchor_new(Atlas& atlas, const Camera& camera, const NoiseSettings& noise, LandmarkId id) {
+  const std::vector<Observation>& observations = atlas.landmark(id).observations;
   const Observation& oldest = observations.front();
-  const Keyframe& keyframe = map.keyframe(oldest.keyframe);
+  const Keyframe& keyframe = atlas.keyframe(oldest.keyframe);
   Measurement measurement = keyframe.measurements[oldest.keypoint];
   measurement.scale = keyframe.features->scale_of(oldest.keypoint) *
                       static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
-  map.set_measurement(oldest.keyframe, oldest.keypoint, measurement);
-  align_observation(map, camera, noise, id, observations.back().keyframe);
+  atlas.set_measurement(oldest.keyframe, oldest.keypoint, measurement);
+  align_observation(atlas, camera, noise, id, observations.back().keyframe);
 }
 
 }  // namespace
 
-int create_landmarks(Map& map, KeyframeId keyframe, const Camera& camera, const NoiseSettings& noise,
+int create_landmarks(Atlas& atlas, KeyframeId keyframe, const Camera& camera, const NoiseSettings& noise,
                      const MappingSettings& settings) {
-  constexpr double kSmallestBaseline = 0.02;  // [m]; below it the epipolar lines say nothing
+  constexpr double kMinBaseline = 0.02;  // [m]; below it the epipolar lines say nothing
   int created = 0;
-  const std::vector<Covisible> covisible = map.keyframe(keyframe).covisible;
+  const std::vector<Covisible> covisible = atlas.keyframe(keyframe).covisible;
   const std::size_t neighbours = std::min<std::size_t>(covisible.size(), settings.neighbours);
   for (std::size_t n = 0; n < neighbours; ++n) {
-    const View a = make_view(map, keyframe);
-    const View b = make_view(map, covisible[n].keyframe);
-    if ((a.cam_from_world.centre() - b.cam_from_world.centre()).norm() < kSmallestBaseline) continue;
-    for (const KeypointPair& pair : match_along_epipolars(camera, a, b, noise, settings.match_distance)) {
-      const auto position = locate(camera, a, b, pair, settings.minimum_parallax);
+    const View a = make_view(atlas, keyframe);
+    const View b = make_view(atlas, covisible[n].keyframe);
+    if ((a.cam_from_world.centre() - b.cam_from_world.centre()).norm() < kMinBaseline) continue;
+    for (const KeypointPair& pair :
+         match_along_epipolars(camera, a, b, noise, settings.max_hamming_distance)) {
+      const auto position = locate(camera, a, b, pair, settings.min_parallax);
       if (!position || !position->allFinite()) continue;
       if (!agrees(camera, a, pair.first, *position, noise) ||
           !agrees(camera, b, pair.second, *position, noise) || !scales_agree(a, b, pair, *position)) {
         continue;
       }
-      const LandmarkId landmark = map.add_landmark(*position, keyframe);
-      map.observe(a.id, pair.first, landmark);
-      map.observe(b.id, pair.second, landmark);
-      map.refresh(landmark);
-      anchor_new(map, camera, noise, landmark);
+      const LandmarkId landmark = atlas.add_landmark(*position, keyframe);
+      atlas.observe(a.id, pair.first, landmark);
+      atlas.observe(b.id, pair.second, landmark);
+      atlas.refresh(landmark);
+      anchor_new(atlas, camera, noise, landmark);
       ++created;
     }
   }

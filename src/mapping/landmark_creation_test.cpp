@@ -23,12 +23,12 @@ struct TwoViews {
     for (const int point : mapped.views[0].points)
       common += point % 3 != 0 && mapped.views[1].keypoint_of(point) >= 0 ? 1 : 0;
   }
-  int create() { return create_landmarks(mapped.map, {1}, mapped.scene.camera, noise, settings); }
+  int create() { return create_landmarks(mapped.atlas, {1}, mapped.scene.camera, noise, settings); }
   /// Distances of the new landmarks from their points [m], sorted.
   std::vector<double> errors() const {
     std::vector<double> errors;
-    for (const LandmarkId id : mapped.map.landmark_ids()) {
-      const Landmark& landmark = mapped.map.landmark(id);
+    for (const LandmarkId id : mapped.atlas.landmark_ids()) {
+      const Landmark& landmark = mapped.atlas.landmark(id);
       const int point = test::point_seen(mapped, landmark.observations.front());
       if (point % 3 == 0) continue;
       errors.push_back((landmark.position - mapped.scene.points[point].position).norm());
@@ -49,21 +49,21 @@ test::ViewOptions noisy(bool depth) {
 TEST(LandmarkCreation, TriangulatesWhereThereIsNoDepth) {
   TwoViews scene(test::camera_at(0.4, 0.05, 0.05, 0.02, -0.05, 0.05), noisy(false));
   ASSERT_GT(scene.common, 80);
-  const int before = scene.mapped.map.landmark_count();
+  const int before = scene.mapped.atlas.landmark_count();
   const int created = scene.create();
   EXPECT_GT(created, 0.75 * scene.common);
-  EXPECT_EQ(scene.mapped.map.landmark_count(), before + created);
-  test::expect_consistent(scene.mapped.map);
+  EXPECT_EQ(scene.mapped.atlas.landmark_count(), before + created);
+  test::expect_consistent(scene.mapped.atlas);
   int mixed = 0;
-  for (const LandmarkId id : scene.mapped.map.landmark_ids()) {
-    const Landmark& landmark = scene.mapped.map.landmark(id);
+  for (const LandmarkId id : scene.mapped.atlas.landmark_ids()) {
+    const Landmark& landmark = scene.mapped.atlas.landmark(id);
     mixed += test::is_pure(scene.mapped, landmark) ? 0 : 1;
     if (static_cast<int>(id.value) < before) continue;
     EXPECT_EQ(landmark.created_by, KeyframeId{1});
     EXPECT_EQ(landmark.observations.size(), 2U);
-    EXPECT_GT(landmark.largest_distance, 0);
+    EXPECT_GT(landmark.max_distance, 0);
     const Observation& oldest = landmark.observations.front();
-    const Keyframe& anchor = scene.mapped.map.keyframe(oldest.keyframe);
+    const Keyframe& anchor = scene.mapped.atlas.keyframe(oldest.keyframe);
     EXPECT_FLOAT_EQ(anchor.measurements[oldest.keypoint].scale,
                     0.5F * anchor.features->scale_of(oldest.keypoint));
   }
@@ -78,7 +78,7 @@ TEST(LandmarkCreation, NeedsParallaxWhereThereIsNoDepth) {
   TwoViews scene(test::camera_at(0.04, 0, 0), noisy(false));
   ASSERT_GT(scene.common, 80);
   EXPECT_LT(scene.create(), 0.05 * scene.common) << "0.04 m at 3 m are less than 1.5 degrees";
-  scene.settings.minimum_parallax = 0.3;
+  scene.settings.min_parallax = 0.3;
   EXPECT_GT(scene.create(), 0.5 * scene.common);
 }
 
@@ -113,11 +113,11 @@ TEST(LandmarkCreation, WorksThroughARollingShutter) {
   options.twist = -options.twist;
   options.seed = 2;
   test::add_some(mapped, mapped.scene.look(test::camera_at(0.4, 0, 0), options), every_third);
-  const int before = mapped.map.landmark_count();
-  EXPECT_GT(create_landmarks(mapped.map, {1}, mapped.scene.camera, {}, {}), 60);
-  for (const LandmarkId id : mapped.map.landmark_ids()) {
+  const int before = mapped.atlas.landmark_count();
+  EXPECT_GT(create_landmarks(mapped.atlas, {1}, mapped.scene.camera, {}, {}), 60);
+  for (const LandmarkId id : mapped.atlas.landmark_ids()) {
     if (static_cast<int>(id.value) < before) continue;
-    const Landmark& landmark = mapped.map.landmark(id);
+    const Landmark& landmark = mapped.atlas.landmark(id);
     const int point = test::point_seen(mapped, landmark.observations.front());
     EXPECT_LT((landmark.position - mapped.scene.points[point].position).norm(), 0.15);
   }
@@ -127,7 +127,7 @@ TEST(LandmarkCreation, ASecondCallFindsNothingNew) {
   TwoViews scene(test::camera_at(0.4, 0, 0), noisy(false));
   const int created = scene.create();
   EXPECT_LT(scene.create(), 0.05 * created);
-  test::expect_consistent(scene.mapped.map);
+  test::expect_consistent(scene.mapped.atlas);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace stdc {
 namespace {
 
-using testing::same_bytes;
+using test::same_bytes;
 
 /// Six keyframes of a room whose poses and landmarks are off by a centimetre or so.
 class LocalBundle : public ::testing::Test {
@@ -34,21 +34,21 @@ class LocalBundle : public ::testing::Test {
     for (std::uint32_t k = first_keyframe; k < 6; ++k) {
       Vector6d twist;
       twist << normal3(0.01), normal3(0.005);
-      mapped.map.set_pose({k}, Pose::exp(twist) * mapped.views[k].cam_from_world);
+      mapped.atlas.set_pose({k}, Pose::exp(twist) * mapped.views[k].cam_from_world);
     }
-    for (const LandmarkId id : mapped.map.landmark_ids())
-      mapped.map.set_position(id, mapped.map.landmark(id).position + normal3(0.02));
+    for (const LandmarkId id : mapped.atlas.landmark_ids())
+      mapped.atlas.set_position(id, mapped.atlas.landmark(id).position + normal3(0.02));
   }
   LocalBundleReport adjust(std::uint32_t keyframe) {
-    return adjust_locally(mapped.map, {keyframe}, mapped.scene.camera, noise, {}, settings);
+    return adjust_locally(mapped.atlas, {keyframe}, mapped.scene.camera, noise, {}, settings);
   }
   double pose_error(std::uint32_t k) const {
-    return test::centre_error(mapped.map.keyframe({k}).cam_from_world, mapped.views[k].cam_from_world);
+    return test::centre_error(mapped.atlas.keyframe({k}).cam_from_world, mapped.views[k].cam_from_world);
   }
   double median_point_error() const {
     std::vector<double> errors;
-    for (const LandmarkId id : mapped.map.landmark_ids()) {
-      const Landmark& landmark = mapped.map.landmark(id);
+    for (const LandmarkId id : mapped.atlas.landmark_ids()) {
+      const Landmark& landmark = mapped.atlas.landmark(id);
       const int point = test::point_seen(mapped, landmark.observations.front());
       errors.push_back((landmark.position - mapped.scene.points[point].position).norm());
     }
@@ -67,21 +67,21 @@ TEST_F(LocalBundle, BringsPosesAndPointsBack) {
   const LocalBundleReport report = adjust(5);
   EXPECT_EQ(report.keyframes, 6);
   EXPECT_EQ(report.fixed_keyframes, 0);
-  EXPECT_EQ(report.landmarks, mapped.map.landmark_count());
+  EXPECT_EQ(report.landmarks, mapped.atlas.landmark_count());
   for (std::uint32_t k = 1; k < 6; ++k) {
     EXPECT_LT(pose_error(k), 0.006);
-    EXPECT_LT(test::angle_error(mapped.map.keyframe({k}).cam_from_world, mapped.views[k].cam_from_world),
+    EXPECT_LT(test::angle_error(mapped.atlas.keyframe({k}).cam_from_world, mapped.views[k].cam_from_world),
               0.002);
   }
   EXPECT_LT(median_point_error(), 0.012);
-  test::expect_consistent(mapped.map);
+  test::expect_consistent(mapped.atlas);
 }
 
 TEST_F(LocalBundle, TheFirstKeyframeIsTheWorld) {
-  const Pose before = mapped.map.keyframe({0}).cam_from_world;
+  const Pose before = mapped.atlas.keyframe({0}).cam_from_world;
   disturb(1);
   adjust(0);
-  EXPECT_TRUE(same_bytes(before, mapped.map.keyframe({0}).cam_from_world));
+  EXPECT_TRUE(same_bytes(before, mapped.atlas.keyframe({0}).cam_from_world));
   EXPECT_LT(pose_error(3), 0.006);
 }
 
@@ -89,19 +89,19 @@ TEST_F(LocalBundle, HoldsTheOutsideKeyframesFixed) {
   settings.bundle_keyframes = 3;
   disturb(0);
   std::vector<std::uint32_t> moving{5};
-  for (int n = 0; n < 2; ++n) moving.push_back(mapped.map.keyframe({5}).covisible[n].keyframe.value);
+  for (int n = 0; n < 2; ++n) moving.push_back(mapped.atlas.keyframe({5}).covisible[n].keyframe.value);
   for (const std::uint32_t k : {0, 1, 2, 3, 4, 5}) {  // those that hold it stand where they should
     if (std::find(moving.begin(), moving.end(), k) == moving.end())
-      mapped.map.set_pose({k}, mapped.views[k].cam_from_world);
+      mapped.atlas.set_pose({k}, mapped.views[k].cam_from_world);
   }
   std::vector<Pose> before;
-  for (std::uint32_t k = 0; k < 6; ++k) before.push_back(mapped.map.keyframe({k}).cam_from_world);
+  for (std::uint32_t k = 0; k < 6; ++k) before.push_back(mapped.atlas.keyframe({k}).cam_from_world);
   const LocalBundleReport report = adjust(5);
   EXPECT_EQ(report.keyframes, 3);
   EXPECT_EQ(report.fixed_keyframes, 3);
   for (std::uint32_t k = 0; k < 6; ++k) {
     const bool moves = std::find(moving.begin(), moving.end(), k) != moving.end();
-    EXPECT_EQ(same_bytes(before[k], mapped.map.keyframe({k}).cam_from_world), !moves);
+    EXPECT_EQ(same_bytes(before[k], mapped.atlas.keyframe({k}).cam_from_world), !moves);
     EXPECT_LT(pose_error(k), 0.006);
   }
 }
@@ -116,21 +116,21 @@ TEST_F(LocalBundle, TakesOutliersOutOfTheMap) {
   disturb(1);
   std::vector<LandmarkId> wrong;
   for (int i = 0; i < mapped.views[4].features->size(); i += 12) {
-    const LandmarkId id = mapped.map.keyframe({4}).landmarks[i];
-    if (mapped.map.landmark(id).observations.size() < 4) continue;
-    Measurement measurement = mapped.map.keyframe({4}).measurements[i];
+    const LandmarkId id = mapped.atlas.keyframe({4}).landmarks[i];
+    if (mapped.atlas.landmark(id).observations.size() < 4) continue;
+    Measurement measurement = mapped.atlas.keyframe({4}).measurements[i];
     measurement.pixel += Eigen::Vector2f(18, -12);
-    mapped.map.set_measurement({4}, i, measurement);
+    mapped.atlas.set_measurement({4}, i, measurement);
     wrong.push_back(id);
   }
   ASSERT_GT(wrong.size(), 8U);
   const LocalBundleReport report = adjust(5);
   EXPECT_GE(report.outliers, static_cast<int>(wrong.size()));
   for (const LandmarkId id : wrong) {
-    ASSERT_TRUE(mapped.map.has(id));
-    EXPECT_EQ(mapped.map.keypoint_of(id, {4}), -1);
+    ASSERT_TRUE(mapped.atlas.has(id));
+    EXPECT_EQ(mapped.atlas.keypoint_of(id, {4}), -1);
   }
-  test::expect_consistent(mapped.map);
+  test::expect_consistent(mapped.atlas);
   EXPECT_LT(pose_error(4), 0.006);
   EXPECT_LT(report.outliers, 0.12 * report.observations)
       << "5 % of the good ones lie beyond the 95 % quantile";
@@ -139,12 +139,12 @@ TEST_F(LocalBundle, TakesOutliersOutOfTheMap) {
 TEST_F(LocalBundle, RefreshesWhatItMoved) {
   disturb(1);
   adjust(5);
-  for (const LandmarkId id : mapped.map.landmark_ids()) {
-    const Landmark& landmark = mapped.map.landmark(id);
+  for (const LandmarkId id : mapped.atlas.landmark_ids()) {
+    const Landmark& landmark = mapped.atlas.landmark(id);
     const Observation& oldest = landmark.observations.front();
-    const Keyframe& anchor = mapped.map.keyframe(oldest.keyframe);
+    const Keyframe& anchor = mapped.atlas.keyframe(oldest.keyframe);
     const double distance = (landmark.position - anchor.cam_from_world.centre()).norm();
-    EXPECT_NEAR(landmark.largest_distance, distance * anchor.features->scale_of(oldest.keypoint), 1e-4);
+    EXPECT_NEAR(landmark.max_distance, distance * anchor.features->scale_of(oldest.keypoint), 1e-4);
   }
 }
 
@@ -154,7 +154,7 @@ TEST_F(LocalBundle, NothingToAdjustLeavesTheMapAsItWas) {
   lonely.add_bare(lonely.scene.look(test::camera_at(0.1, 0, 0)));
   const LocalBundleReport report = adjust_locally(lonely.map, {1}, lonely.scene.camera, noise, {}, settings);
   EXPECT_EQ(report.observations, 0);
-  EXPECT_TRUE(same_bytes(lonely.map.keyframe({1}).cam_from_world, lonely.views[1].cam_from_world));
+  EXPECT_TRUE(same_bytes(lonely.atlas.keyframe({1}).cam_from_world, lonely.views[1].cam_from_world));
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "estimation/bundle_adjustment.hpp"
-#include "map/map.hpp"
 #include "mapping/local_bundle.hpp"
 #include "mapping/mapping_settings.hpp"
 
@@ -26,7 +26,7 @@ class LocalMapper {
   LocalMapper(const Camera& camera, const MappingSettings& settings, const NoiseSettings& noise,
               const BundleSettings& bundle, double close_depth);
 
-  MappingOutcome process(Map& map, KeyframeId keyframe);
+  MappingOutcome process(Atlas& atlas, KeyframeId keyframe);
 
  private:
   Camera camera_;

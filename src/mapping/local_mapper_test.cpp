@@ -44,27 +44,27 @@ class Walk {
     Vector6d twist;
     for (double& x : twist) x = pose_error * random.normal();
     twist.tail<3>() *= 0.5;
-    mapped.map.set_pose(id, Pose::exp(twist) * view.cam_from_world);
+    mapped.atlas.set_pose(id, Pose::exp(twist) * view.cam_from_world);
     for (int i = 0; i < view.features->size(); ++i) track_or_make(id, i);
-    outcomes.push_back(mapper->process(mapped.map, id));
+    outcomes.push_back(mapper->process(mapped.atlas, id));
   }
   void track_or_make(KeyframeId id, int keypoint) {
     const test::View& view = mapped.views[id.value];
     const int point = view.points[keypoint];
     LandmarkId& landmark = mapped.landmarks[point];
-    if (landmark.valid() && mapped.map.has(landmark)) {
-      mapped.map.count_visible(landmark, 1);
-      mapped.map.count_found(landmark, 1);
-      if (mapped.map.observe(id, keypoint, landmark)) return;
+    if (landmark.valid() && mapped.atlas.has(landmark)) {
+      mapped.atlas.count_visible(landmark, 1);
+      mapped.atlas.count_found(landmark, 1);
+      if (mapped.atlas.observe(id, keypoint, landmark)) return;
     }
     if (point % 3 == 0 || view.features->depth(keypoint) <= 0) return;  // left to the mapper
-    if (mapped.map.keyframe(id).landmarks[keypoint].valid()) return;
-    const Measurement& m = mapped.map.keyframe(id).measurements[keypoint];
-    landmark = mapped.map.add_landmark(mapped.map.keyframe(id).cam_from_world.inverse() *
-                                           mapped.scene.camera.unproject(m.pixel.cast<double>(), m.depth),
-                                       id);
-    mapped.map.observe(id, keypoint, landmark);
-    mapped.map.refresh(landmark);
+    if (mapped.atlas.keyframe(id).landmarks[keypoint].valid()) return;
+    const Measurement& m = mapped.atlas.keyframe(id).measurements[keypoint];
+    landmark = mapped.atlas.add_landmark(mapped.atlas.keyframe(id).cam_from_world.inverse() *
+                                             mapped.scene.camera.unproject(m.pixel.cast<double>(), m.depth),
+                                         id);
+    mapped.atlas.observe(id, keypoint, landmark);
+    mapped.atlas.refresh(landmark);
   }
 
   NoiseSettings noise;
@@ -73,27 +73,27 @@ class Walk {
 
 TEST(LocalMapper, MapsAWalkToAndFro) {
   const Walk walk(24);
-  const Map& map = walk.mapped.map;
-  test::expect_consistent(map);
-  for (const KeyframeId id : map.keyframe_ids()) {
-    const Keyframe& keyframe = map.keyframe(id);
+  const Atlas& atlas = walk.mapped.atlas;
+  test::expect_consistent(atlas);
+  for (const KeyframeId id : atlas.keyframe_ids()) {
+    const Keyframe& keyframe = atlas.keyframe(id);
     EXPECT_LT(test::centre_error(keyframe.cam_from_world, walk.mapped.views[id.value].cam_from_world), 0.01);
-    EXPECT_TRUE(id.value == 0 || (keyframe.parent < id && map.has(keyframe.parent)));
+    EXPECT_TRUE(id.value == 0 || (keyframe.parent < id && atlas.has(keyframe.parent)));
   }
   EXPECT_GT(walk.total(&MappingOutcome::triangulated), 40);
   EXPECT_GT(walk.total(&MappingOutcome::fused), 40);
   EXPECT_GT(walk.total(&MappingOutcome::culled_keyframes), 3) << "it sees the same again and again";
-  EXPECT_EQ(map.keyframe_count() + walk.total(&MappingOutcome::culled_keyframes), 24);
+  EXPECT_EQ(atlas.keyframe_count() + walk.total(&MappingOutcome::culled_keyframes), 24);
   int mixed = 0;
   std::vector<int> landmarks_of_point(walk.mapped.scene.points.size(), 0);
-  for (const LandmarkId id : map.landmark_ids()) {
-    mixed += test::is_pure(walk.mapped, map.landmark(id)) ? 0 : 1;
-    ++landmarks_of_point[test::point_seen(walk.mapped, map.landmark(id).observations.front())];
+  for (const LandmarkId id : atlas.landmark_ids()) {
+    mixed += test::is_pure(walk.mapped, atlas.landmark(id)) ? 0 : 1;
+    ++landmarks_of_point[test::point_seen(walk.mapped, atlas.landmark(id).observations.front())];
   }
-  EXPECT_LE(mixed, map.landmark_count() / 100);
+  EXPECT_LE(mixed, atlas.landmark_count() / 100);
   const auto doubled =
       std::count_if(landmarks_of_point.begin(), landmarks_of_point.end(), [](int n) { return n > 1; });
-  EXPECT_LT(static_cast<double>(doubled), 0.1 * map.landmark_count()) << "duplicates are fused";
+  EXPECT_LT(static_cast<double>(doubled), 0.1 * atlas.landmark_count()) << "duplicates are fused";
 }
 
 TEST(LocalMapper, TheFirstKeyframeIsMappedAlone) {
@@ -102,9 +102,9 @@ TEST(LocalMapper, TheFirstKeyframeIsMappedAlone) {
   EXPECT_EQ(walk.outcomes[0].fused, 0);
   EXPECT_EQ(walk.outcomes[0].bundle.keyframes, 1);
   EXPECT_LT(
-      test::centre_error(walk.mapped.map.keyframe({0}).cam_from_world, walk.mapped.views[0].cam_from_world),
+      test::centre_error(walk.mapped.atlas.keyframe({0}).cam_from_world, walk.mapped.views[0].cam_from_world),
       1e-12);
-  test::expect_consistent(walk.mapped.map);
+  test::expect_consistent(walk.mapped.atlas);
 }
 
 TEST(LocalMapper, UnseenLandmarksAreCulledAfterTheirProbation) {
@@ -116,23 +116,24 @@ TEST(LocalMapper, UnseenLandmarksAreCulledAfterTheirProbation) {
   test::MappedScene alone(phantoms);
   alone.add(phantoms.look(Pose()));
   mapper.process(alone.map, {0});
-  const int before = alone.map.landmark_count();
+  const int before = alone.atlas.landmark_count();
   for (int k = 1; k < 4; ++k) {
     alone.add_bare(mapped.scene.look(test::camera_at(0.05 * k, 0, 0)));
     mapper.process(alone.map, {static_cast<std::uint32_t>(k)});
     test::expect_consistent(alone.map);
   }
   EXPECT_GT(before, 80);
-  for (const LandmarkId id : alone.map.landmark_ids()) EXPECT_GE(static_cast<int>(id.value), before);
+  for (const LandmarkId id : alone.atlas.landmark_ids()) EXPECT_GE(static_cast<int>(id.value), before);
 }
 
 TEST(LocalMapper, GivesTheSameBytesTwice) {
   const Walk a(10), b(10);
-  ASSERT_EQ(a.mapped.map.keyframe_ids(), b.mapped.map.keyframe_ids());
-  ASSERT_EQ(a.mapped.map.landmark_ids(), b.mapped.map.landmark_ids());
-  for (const LandmarkId id : a.mapped.map.landmark_ids()) {
-    const Eigen::Vector3d &p = a.mapped.map.landmark(id).position, &q = b.mapped.map.landmark(id).position;
-    EXPECT_TRUE(testing::same_bytes(p, q));
+  ASSERT_EQ(a.mapped.atlas.keyframe_ids(), b.mapped.atlas.keyframe_ids());
+  ASSERT_EQ(a.mapped.atlas.landmark_ids(), b.mapped.atlas.landmark_ids());
+  for (const LandmarkId id : a.mapped.atlas.landmark_ids()) {
+    const Eigen::Vector3d &p = a.mapped.atlas.landmark(id).position,
+                          &q = b.mapped.atlas.landmark(id).position;
+    EXPECT_TRUE(test::same_bytes(p, q));
   }
 }
 

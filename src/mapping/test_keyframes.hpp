@@ -1,6 +1,6 @@
 #pragma once
 
-#include "map/test_scene.hpp"
+#include "atlas/test_scene.hpp"
 
 namespace stdc::test {
 
@@ -13,20 +13,20 @@ KeyframeId add_some(MappedScene& mapped, const View& view, Choose&& choose) {
     if (!choose(view.points[i])) continue;
     LandmarkId& landmark = mapped.landmarks[view.points[i]];
     if (!landmark.valid())
-      landmark = mapped.map.add_landmark(mapped.scene.points[view.points[i]].position, id);
-    mapped.map.observe(id, i, landmark);
-    mapped.map.refresh(landmark);
+      landmark = mapped.atlas.add_landmark(mapped.scene.points[view.points[i]].position, id);
+    mapped.atlas.observe(id, i, landmark);
+    mapped.atlas.refresh(landmark);
   }
-  mapped.map.update_covisibility(id);
+  mapped.atlas.update_covisibility(id);
   return id;
 }
 
-/// The point that a landmark's sight by a keyframe shows.
+/// The point that a landmark's observation by a keyframe shows.
 inline int point_seen(const MappedScene& mapped, const Observation& observation) {
   return mapped.views[observation.keyframe.value].points[observation.keypoint];
 }
 
-/// Whether all sights of a landmark show the same point.
+/// Whether all observations of a landmark show the same point.
 inline bool is_pure(const MappedScene& mapped, const Landmark& landmark) {
   const int first = point_seen(mapped, landmark.observations.front());
   return std::all_of(landmark.observations.begin(), landmark.observations.end(),

@@ -67,7 +67,7 @@ TEST(DegradedSegmenter, GivesEarlierMasks) {
 }
 
 TEST(DegradedSegmenter, RefusesSettingsOutOfRange) {
-  EXPECT_NE(testing::message_of([] {
+  EXPECT_NE(test::message_of([] {
               DegradedSegmenter(std::make_unique<MovingSquare>(), {.erosion = -1});
             }).find("degradation.erosion"),
             std::string::npos);

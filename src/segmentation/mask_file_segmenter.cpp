@@ -11,26 +11,26 @@
 namespace stdc {
 
 cv::Mat load_mask(const MaskFile& file, cv::Size size) {
-  constexpr const char* kMend = "write it anew as an 8-bit grey PNG, dynamic pixels 255 and others 0";
-  constexpr std::size_t kLargestMask = std::size_t{1} << 28U;
+  constexpr const char* kHint = "write it anew as an 8-bit grey PNG, dynamic pixels 255 and others 0";
+  constexpr std::size_t kMaxMask = std::size_t{1} << 28U;
   constexpr double kDynamic = 128;
   const std::string where =
       file.line > 0 ? fmt::format("{} (mask.txt:{})", file.path.string(), file.line) : file.path.string();
   std::string text;
   try {
-    text = read_file(file.path, "restore the mask or remove it from the list", kLargestMask);
+    text = read_file(file.path, "restore the mask or remove it from the list", kMaxMask);
   } catch (const Error& error) {
-    throw Error(where, error.problem(), error.mend());
+    throw Error(where, error.problem(), error.hint());
   }
   const Bytes bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  if (!is_png(bytes)) throw Error(where, "is not a PNG", kMend);
+  if (!is_png(bytes)) throw Error(where, "is not a PNG", kHint);
   const DecodedImage decoded = decode_png_colour(bytes, size, ColourMode::as_stored);
-  if (!decoded.problem.empty()) throw Error(where, decoded.problem, kMend);
-  if (decoded.image.channels() != 1) throw Error(where, "is a colour image", kMend);
+  if (!decoded.problem.empty()) throw Error(where, decoded.problem, kHint);
+  if (decoded.image.channels() != 1) throw Error(where, "is a colour image", kHint);
   double largest = 0;
   cv::minMaxLoc(decoded.image, nullptr, &largest);
   if (largest > 0 && largest < kDynamic) {
-    throw Error(where, fmt::format("holds labels up to {} instead of a mask", largest), kMend);
+    throw Error(where, fmt::format("holds labels up to {} instead of a mask", largest), kHint);
   }
   return decoded.image >= kDynamic;
 }

@@ -10,8 +10,8 @@
 namespace stdc {
 namespace {
 
-using testing::message_of;
-using testing::TestFolder;
+using test::message_of;
+using test::TestFolder;
 
 /// A mask whose left `columns` columns are 255.
 cv::Mat mask_of(int columns, cv::Size size = {80, 60}) {

@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "loop_closing/full_bundle.hpp"
 #include "loop_closing/loop_closer.hpp"
-#include "map/map.hpp"
 #include "mapping/local_mapper.hpp"
 #include "slam/settings.hpp"
 #include "slam/slam.hpp"
@@ -15,7 +15,7 @@
 namespace stdc {
 
 /// What came of the back end's work at a frame.
-struct BackEndNews {
+struct BackEndUpdate {
   bool map_is_back = false;  ///< and has changed
   std::optional<MappingReport> mapping;
   std::optional<LoopReport> loop;
@@ -36,19 +36,19 @@ class BackEnd {
   BackEnd(const Camera& camera, const Settings& settings);
 
   /// The map and its places; only while they are at home.
-  Map& map() { return map_; }
-  const Map& map() const { return map_; }
+  Atlas& atlas() { return atlas_; }
+  const Atlas& atlas() const { return atlas_; }
   const LoopCloser& places() const { return closer_; }
   bool at_home() const { return job_ == Job::none; }
   /// Whether a job waits for the map to come home: then no keyframe is to be made.
   bool job_waits() const { return loop_.has_value() || (bundle_ && bundle_solved_); }
 
   /// A map from a file, before the first frame. Its places are learnt until then.
-  void adopt(Map map);
+  void adopt(Atlas atlas);
   /// Gives the map away to have a keyframe worked into it.
   void map_keyframe(KeyframeId keyframe, int frame);
   /// Takes in what is due at a frame; waits for it if need be. `at_once`: whatever is on its way.
-  BackEndNews take_in(int frame, bool at_once);
+  BackEndUpdate take_in(int frame, bool at_once);
   /// Starts the job that waits, if the map is at home.
   void go_on(int frame);
   /// Whether anything is under way, or waits.
@@ -62,11 +62,11 @@ class BackEnd {
   void start(Job job, int due, std::function<void()> work);
   void close_loop(int frame);
   void take_in_bundle(int frame);
-  void collect(BackEndNews& news);
+  void collect(BackEndUpdate& news);
 
   Camera camera_;
   Settings settings_;
-  Map map_;
+  Atlas atlas_;
   LocalMapper mapper_;
   LoopCloser closer_;
 

@@ -12,8 +12,8 @@
 namespace stdc {
 namespace {
 
-using testing::Footage;
-using testing::same_bytes;
+using test::Footage;
+using test::same_bytes;
 
 constexpr int kFrames = 60;
 

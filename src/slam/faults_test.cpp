@@ -10,8 +10,8 @@
 namespace stdc {
 namespace {
 
-using testing::kStep;
-using testing::Walk;
+using test::kStep;
+using test::Walk;
 
 /// Frames of the room in any order, at fifteen a second.
 void blacken(RgbdImage& image) { image.colour.setTo(0); }

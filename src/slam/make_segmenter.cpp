@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "segmentation/mask_file_segmenter.hpp"
-#include "segmentation/weights_segmenter.hpp"
+#include "segmentation/network/weights_segmenter.hpp"
 
 namespace stdc {
 namespace {

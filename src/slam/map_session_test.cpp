@@ -4,20 +4,20 @@
 #include <fstream>
 #include <iterator>
 
+#include "atlas/map_file.hpp"
 #include "core/error.hpp"
 #include "core/test_folder.hpp"
-#include "map/map_file.hpp"
 #include "slam/test_load.hpp"
 #include "slam/test_walk.hpp"
 
 namespace stdc {
 namespace {
 
-using testing::Footage;
-using testing::Load;
-using testing::same_bytes;
-using testing::TestFolder;
-using testing::Walk;
+using test::Footage;
+using test::Load;
+using test::same_bytes;
+using test::TestFolder;
+using test::Walk;
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "atlas/map_file.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "map/map_file.hpp"
 #include "slam/image_check.hpp"
 #include "tracking/keyframe_policy.hpp"
 
@@ -102,7 +102,7 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
 /// needs the whole map.
 void Pipeline::take_in(TrackingResult& result) {
   Stopwatch watch;
-  const BackEndNews news = back_end_.take_in(next_frame_ - 1, !tracker_.has_last());
+  const BackEndUpdate news = back_end_.take_in(next_frame_ - 1, !tracker_.has_last());
   result.milliseconds.wait = watch.lap_ms();
   result.mapping = news.mapping;
   result.loop = news.loop;
@@ -110,10 +110,10 @@ void Pipeline::take_in(TrackingResult& result) {
 }
 
 void Pipeline::follow_map() {
-  const Map& map = back_end_.map();
-  tracker_.flush_counts(back_end_.map());
-  tracker_.follow(map);
-  if (last_keyframe_.valid()) active_map_ = map.map_of(last_keyframe_);
+  const Atlas& atlas = back_end_.atlas();
+  tracker_.flush_counts(back_end_.atlas());
+  tracker_.follow(atlas);
+  if (last_keyframe_.valid()) active_map_ = atlas.map_of(last_keyframe_);
 }
 
 TrackingStatus Pipeline::locate(TrackedFrame& frame) {
@@ -123,17 +123,17 @@ TrackingStatus Pipeline::locate(TrackedFrame& frame) {
       tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
       return TrackingStatus::ok;
     }
-    tracker_.forget();
+    tracker_.clear_last();
     return TrackingStatus::lost;
   }
   // Without a last frame the map is at home: see take_in.
-  if (back_end_.map().keyframe_count() == 0) {
+  if (back_end_.atlas().keyframe_count() == 0) {
     return initialise(frame) ? TrackingStatus::ok : TrackingStatus::initialising;
   }
-  if (relocaliser_.find(back_end_.map(), back_end_.places(), extractor_.pyramid(), frame, tracker_,
+  if (relocaliser_.find(back_end_.atlas(), back_end_.places(), extractor_.pyramid(), frame, tracker_,
                         local_map_)) {
     last_keyframe_ = local_map_.reference;
-    active_map_ = back_end_.map().map_of(last_keyframe_);
+    active_map_ = back_end_.atlas().map_of(last_keyframe_);
     unknown_frames_ = 0;
     return TrackingStatus::ok;
   }
@@ -150,7 +150,7 @@ bool Pipeline::shows_enough(const TrackedFrame& frame) const {
 /// Starts a map with this frame, if enough of it has depth.
 bool Pipeline::initialise(TrackedFrame& frame) {
   if (settings_.system.localisation_only || !shows_enough(frame)) return false;
-  make_keyframe(frame, back_end_.map().map_count());
+  make_keyframe(frame, back_end_.atlas().map_count());
   frame.matches = frame.inliers = static_cast<int>(std::count_if(
       frame.landmarks.begin(), frame.landmarks.end(), [](LandmarkId id) { return id.valid(); }));
   return true;
@@ -168,13 +168,13 @@ bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
   if (settings_.system.localisation_only || !back_end_.at_home() || back_end_.job_waits()) return false;
   if (last_keyframe_frame_ == frame.index) return false;
   return needs_keyframe(camera_, frame, local_map_, frame.index - last_keyframe_frame_,
-                        back_end_.map().keyframe_count(active_map_), settings_.tracking);
+                        back_end_.atlas().keyframe_count(active_map_), settings_.tracking);
 }
 
 void Pipeline::make_keyframe(TrackedFrame& frame, int map_number) {
-  Map& map = back_end_.map();
-  tracker_.flush_counts(map);
-  last_keyframe_ = insert_keyframe(map, camera_, settings_.noise, frame, settings_.tracking, map_number);
+  Atlas& atlas = back_end_.atlas();
+  tracker_.flush_counts(atlas);
+  last_keyframe_ = insert_keyframe(atlas, camera_, settings_.noise, frame, settings_.tracking, map_number);
   last_keyframe_frame_ = frame.index;
   active_map_ = map_number;
   unknown_frames_ = 0;
@@ -184,7 +184,7 @@ void Pipeline::make_keyframe(TrackedFrame& frame, int map_number) {
 }
 
 void Pipeline::refresh_local_map(const std::vector<LandmarkId>& seen) {
-  local_map_ = make_local_map(back_end_.map(), seen, last_keyframe_, settings_.tracking.local_keyframes);
+  local_map_ = make_local_map(back_end_.atlas(), seen, last_keyframe_, settings_.tracking.local_keyframes);
 }
 
 void Pipeline::record(const TrackedFrame& frame) {
@@ -201,7 +201,7 @@ std::vector<LoopReport> Pipeline::finish() {
   const int frame = next_frame_ - 1;
   while (back_end_.busy()) {
     back_end_.hurry();
-    const BackEndNews news = back_end_.take_in(frame, true);
+    const BackEndUpdate news = back_end_.take_in(frame, true);
     if (news.map_is_back) follow_map();
     if (news.loop) loops.push_back(*news.loop);
     back_end_.go_on(frame);
@@ -216,18 +216,19 @@ void Pipeline::load_map(const std::filesystem::path& path) {
     throw Error(path.string(), "was made with another camera",
                 "give the camera that 'stdc-slam map info' shows, or make the map again");
   }
-  first_own_keyframe_ = {static_cast<std::uint32_t>(stored.map.keyframe_id_limit())};
-  back_end_.adopt(std::move(stored.map));
+  first_own_keyframe_ = {static_cast<std::uint32_t>(stored.atlas.keyframe_id_limit())};
+  back_end_.adopt(std::move(stored.atlas));
 }
 
 std::vector<FramePose> Pipeline::trajectory() const {
-  const Map& map = back_end_.map();
+  const Atlas& atlas = back_end_.atlas();
   std::vector<FramePose> poses;
   poses.reserve(posed_.size());
   for (const PosedFrame& posed : posed_) {
-    const Map::Anchor anchor = map.resolve(posed.reference);
-    const Keyframe& keyframe = map.keyframe(anchor.keyframe);
-    const Pose cam_from_world = posed.frame_from_reference * anchor.cam_from_anchor * keyframe.cam_from_world;
+    const Atlas::KeptAncestor ancestor = atlas.resolve(posed.reference);
+    const Keyframe& keyframe = atlas.keyframe(ancestor.keyframe);
+    const Pose cam_from_world =
+        posed.frame_from_reference * ancestor.cam_from_ancestor * keyframe.cam_from_world;
     poses.push_back({posed.frame, posed.timestamp, cam_from_world.inverse(), keyframe.map});
   }
   return poses;

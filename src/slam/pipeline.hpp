@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "features/extractor.hpp"
-#include "map/map.hpp"
 #include "slam/back_end.hpp"
 #include "slam/relocaliser.hpp"
 #include "slam/semantic_thread.hpp"
@@ -35,7 +35,7 @@ class Pipeline {
   std::vector<FramePose> trajectory() const;
   const Camera& camera() const { return camera_; }
   /// After finish().
-  const Map& map() const { return back_end_.map(); }
+  const Atlas& atlas() const { return back_end_.atlas(); }
   KeyframeId first_own_keyframe() const { return first_own_keyframe_; }
 
  private:

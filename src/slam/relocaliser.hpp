@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "estimation/pose_optimisation.hpp"
-#include "features/pyramid.hpp"
+#include "features/detection/pyramid.hpp"
 #include "loop_closing/loop_closer.hpp"
-#include "map/map.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracker.hpp"
 
@@ -22,7 +22,7 @@ class Relocaliser {
 
   /// True if the landmarks around where it seems to be agree: then the frame has its pose, the tracker goes
   /// on from there, and `local_map` is what is around it. `pyramid`: of the frame's image.
-  bool find(const Map& map, const LoopCloser& places, const Pyramid& pyramid, TrackedFrame& frame,
+  bool find(const Atlas& atlas, const LoopCloser& places, const Pyramid& pyramid, TrackedFrame& frame,
             Tracker& tracker, LocalMap& local_map) const;
 
  private:
@@ -31,8 +31,8 @@ class Relocaliser {
     Pose cam_from_world;
     std::vector<LandmarkId> landmarks;  ///< per keypoint of the frame
   };
-  std::vector<KeyframeId> latest_keyframes(const Map& map) const;
-  bool confirm(const Map& map, const Pyramid& pyramid, const Guess& guess, TrackedFrame& frame,
+  std::vector<KeyframeId> latest_keyframes(const Atlas& atlas) const;
+  bool confirm(const Atlas& atlas, const Pyramid& pyramid, const Guess& guess, TrackedFrame& frame,
                Tracker& tracker, LocalMap& local_map) const;
 
   Camera camera_;

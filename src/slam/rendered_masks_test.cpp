@@ -5,11 +5,11 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "rendering/rendered_sequence.hpp"
-#include "segmentation/literal_refinement.hpp"
-#include "segmentation/mask_settling.hpp"
-#include "segmentation/propagation.hpp"
-#include "segmentation/refinement.hpp"
+#include "segmentation/propagation/mask_propagator.hpp"
+#include "segmentation/propagation/mask_settling.hpp"
+#include "segmentation/srm/refinement.hpp"
+#include "segmentation/srm/test_literal_refinement.hpp"
+#include "simulation/sequence/rendered_sequence.hpp"
 
 namespace stdc {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "segmentation/mask_settling.hpp"
+#include "segmentation/propagation/mask_settling.hpp"
 
 namespace stdc {
 

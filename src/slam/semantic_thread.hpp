@@ -6,10 +6,10 @@
 
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
-#include "segmentation/propagation.hpp"
-#include "segmentation/refinement.hpp"
+#include "segmentation/propagation/mask_propagator.hpp"
 #include "segmentation/segmentation_settings.hpp"
 #include "segmentation/segmenter.hpp"
+#include "segmentation/srm/refinement.hpp"
 #include "slam/worker.hpp"
 
 namespace stdc {

@@ -8,10 +8,10 @@
 #include "loop_closing/loop_settings.hpp"
 #include "mapping/mapping_settings.hpp"
 #include "segmentation/mask_degradation.hpp"
-#include "segmentation/network_settings.hpp"
-#include "segmentation/propagation.hpp"
-#include "segmentation/refinement.hpp"
+#include "segmentation/network/network_settings.hpp"
+#include "segmentation/propagation/mask_propagator.hpp"
 #include "segmentation/segmentation_settings.hpp"
+#include "segmentation/srm/refinement.hpp"
 #include "tracking/tracking_settings.hpp"
 
 namespace stdc {

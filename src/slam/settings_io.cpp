@@ -109,7 +109,7 @@ void assign(const std::string& section, const std::string& key, const std::strin
     try {
       if (found) check_ranges(section, part);
     } catch (const Error& error) {
-      throw Error(where, error.where() + ": " + error.problem(), error.mend());
+      throw Error(where, error.where() + ": " + error.problem(), error.hint());
     }
   });
   if (!found) throw_unknown(where, section + "." + key, settings);

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "map/map_bundle.hpp"
-#include "map/map_file.hpp"
+#include "atlas/map_bundle.hpp"
+#include "atlas/map_file.hpp"
 #include "slam/pipeline.hpp"
 
 namespace stdc {
@@ -38,7 +38,7 @@ std::vector<LoopReport> Slam::finish() { return implementation_->pipeline.finish
 void Slam::load_map(const std::filesystem::path& path) { implementation_->pipeline.load_map(path); }
 void Slam::save_map(const std::filesystem::path& path) {
   implementation_->pipeline.finish();
-  stdc::save_map(path, implementation_->pipeline.camera(), implementation_->pipeline.map());
+  stdc::save_map(path, implementation_->pipeline.camera(), implementation_->pipeline.atlas());
 }
 
 std::vector<FramePose> Slam::trajectory() const {
@@ -48,11 +48,11 @@ std::vector<FramePose> Slam::trajectory() const {
 
 std::vector<FramePose> Slam::keyframe_trajectory() const {
   implementation_->pipeline.finish();
-  const Map& map = implementation_->pipeline.map();
+  const Atlas& atlas = implementation_->pipeline.atlas();
   std::vector<FramePose> poses;
-  for (const KeyframeId id : map.keyframe_ids()) {
+  for (const KeyframeId id : atlas.keyframe_ids()) {
     if (id < implementation_->pipeline.first_own_keyframe()) continue;
-    const Keyframe& keyframe = map.keyframe(id);
+    const Keyframe& keyframe = atlas.keyframe(id);
     poses.push_back({keyframe.frame, keyframe.timestamp, keyframe.cam_from_world.inverse(), keyframe.map});
   }
   return poses;
@@ -60,29 +60,29 @@ std::vector<FramePose> Slam::keyframe_trajectory() const {
 
 int Slam::maps() const {
   implementation_->pipeline.finish();
-  const Map& map = implementation_->pipeline.map();
+  const Atlas& atlas = implementation_->pipeline.atlas();
   int maps = 0;
-  for (int number = 0; number < map.map_count(); ++number) maps += map.root(number).valid() ? 1 : 0;
+  for (int number = 0; number < atlas.map_count(); ++number) maps += atlas.root(number).valid() ? 1 : 0;
   return maps;
 }
 
 int Slam::keyframes() const {
   implementation_->pipeline.finish();
-  return implementation_->pipeline.map().keyframe_count();
+  return implementation_->pipeline.atlas().keyframe_count();
 }
 
 int Slam::landmarks() const {
   implementation_->pipeline.finish();
-  return implementation_->pipeline.map().landmark_count();
+  return implementation_->pipeline.atlas().landmark_count();
 }
 
 std::vector<Eigen::Vector3d> Slam::landmark_positions(int map_number) const {
   implementation_->pipeline.finish();
-  const Map& map = implementation_->pipeline.map();
+  const Atlas& atlas = implementation_->pipeline.atlas();
   std::vector<Eigen::Vector3d> positions;
-  if (map_number >= map.map_count()) return positions;
-  for (const LandmarkId id : landmarks_of(map, map.keyframe_ids(map_number)))
-    positions.push_back(map.landmark(id).position);
+  if (map_number >= atlas.map_count()) return positions;
+  for (const LandmarkId id : landmarks_of(atlas, atlas.keyframe_ids(map_number)))
+    positions.push_back(atlas.landmark(id).position);
   return positions;
 }
 

@@ -14,9 +14,9 @@
 namespace stdc {
 namespace {
 
-using testing::Footage;
-using testing::Load;
-using testing::same_bytes;
+using test::Footage;
+using test::Load;
+using test::same_bytes;
 
 Settings small_settings() {
   Settings settings;

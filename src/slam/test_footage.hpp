@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "core/test_bytes.hpp"
-#include "rendering/rendered_sequence.hpp"
+#include "simulation/sequence/rendered_sequence.hpp"
 #include "slam/slam.hpp"
 
-namespace stdc::testing {
+namespace stdc::test {
 
 /// Small frames, rendered once for all tests.
 struct Footage {
@@ -54,4 +54,4 @@ inline bool same_bytes(const std::vector<FramePose>& a, const std::vector<FrameP
   return true;
 }
 
-}  // namespace stdc::testing
+}  // namespace stdc::test

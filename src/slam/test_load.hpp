@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace stdc::testing {
+namespace stdc::test {
 
 /// Keeps the processor busy while it lives: four threads that compute and never sleep.
 class Load {
@@ -34,4 +34,4 @@ class Load {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace stdc::testing
+}  // namespace stdc::test

@@ -9,7 +9,7 @@
 
 #include "slam/test_footage.hpp"
 
-namespace stdc::testing {
+namespace stdc::test {
 
 constexpr double kStep = 1 / 15.0;  // [s]
 
@@ -69,4 +69,4 @@ class Walk {
   }
 };
 
-}  // namespace stdc::testing
+}  // namespace stdc::test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "features/matching.hpp"
+#include "features/description/matching.hpp"
 
 namespace stdc {
 namespace {
@@ -21,8 +21,8 @@ std::optional<Eigen::Vector2f> project_inside(const Camera& camera, const Tracke
 }
 
 /// Drops the matches whose turn does not agree with that of most.
-void keep_consistent(std::vector<FrameMatch>& matches, const std::vector<float>& turns) {
-  const std::vector<std::uint8_t> keep = consistent_turns(turns);
+void keep_consistent(std::vector<FrameMatch>& matches, const std::vector<float>& rotations) {
+  const std::vector<std::uint8_t> keep = consistent_rotations(rotations);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (keep[i] != 0) matches[kept++] = matches[i];
@@ -31,12 +31,13 @@ void keep_consistent(std::vector<FrameMatch>& matches, const std::vector<float>&
 }
 
 /// The world point of a keypoint of the last frame: its landmark, or its depth. `landmark`: index or -1.
-std::optional<Eigen::Vector3d> point_of_last(const Camera& camera, const LocalMap& map,
+std::optional<Eigen::Vector3d> point_of_last(const Camera& camera, const LocalMap& local_map,
                                              const TrackedFrame& last, const Pose& world_from_last,
                                              int keypoint, bool temporary, int* landmark) {
   const LandmarkId id = last.landmarks[keypoint];
-  *landmark = id.valid() ? map.find(id) : -1;
-  if (*landmark >= 0) return temporary ? std::nullopt : std::optional(map.landmarks[*landmark].position);
+  *landmark = id.valid() ? local_map.find(id) : -1;
+  if (*landmark >= 0)
+    return temporary ? std::nullopt : std::optional(local_map.landmarks[*landmark].position);
   const Measurement& measurement = last.measurements[keypoint];
   if (!temporary || measurement.depth <= 0 || last.outlier[keypoint] != 0) return {};
   return world_from_last * camera.unproject(measurement.pixel.cast<double>(), measurement.depth);
@@ -44,12 +45,12 @@ std::optional<Eigen::Vector3d> point_of_last(const Camera& camera, const LocalMa
 
 }  // namespace
 
-std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& map, const TrackedFrame& last,
-                                         const TrackedFrame& frame, double radius,
+std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& local_map,
+                                         const TrackedFrame& last, const TrackedFrame& frame, double radius,
                                          const TrackingSettings& settings) {
   const FrameFeatures& features = *frame.features;
   std::vector<FrameMatch> matches;
-  std::vector<float> turns;
+  std::vector<float> rotations;
   std::vector<std::uint8_t> taken(features.size(), 0);
   const Pose world_from_last = last.cam_from_world.inverse();
   const int top = features.levels() - 1;
@@ -58,7 +59,7 @@ std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& m
     if (temporary && static_cast<int>(matches.size()) >= settings.initial_landmarks) break;
     for (int i = 0; i < last.features->size(); ++i) {
       int landmark = -1;
-      const auto position = point_of_last(camera, map, last, world_from_last, i, temporary, &landmark);
+      const auto position = point_of_last(camera, local_map, last, world_from_last, i, temporary, &landmark);
       if (!position) continue;
       const auto pixel = project_inside(camera, frame, *position);
       if (!pixel) continue;
@@ -66,41 +67,41 @@ std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& m
       const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius) * features.scale(level),
                                 std::max(level - 1, 0), std::min(level + 1, top)};
       const Descriptor& descriptor =
-          landmark >= 0 ? map.landmarks[landmark].descriptor : last.features->descriptor(i);
+          landmark >= 0 ? local_map.landmarks[landmark].descriptor : last.features->descriptor(i);
       const BestMatch best = match_in_window(features, descriptor, window, taken);
-      if (!best.accepted(settings.loose_match_distance, 1.0)) continue;
+      if (!best.accepted(settings.loose_max_hamming_distance, 1.0)) continue;
       taken[best.index] = 1;
       matches.push_back({best.index, landmark, *position});
-      turns.push_back(last.features->keypoint(i).angle - features.keypoint(best.index).angle);
+      rotations.push_back(last.features->keypoint(i).angle - features.keypoint(best.index).angle);
     }
   }
-  keep_consistent(matches, turns);
+  keep_consistent(matches, rotations);
   return matches;
 }
 
-std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures& frame,
+std::vector<FrameMatch> match_reference(const LocalMap& local_map, const FrameFeatures& frame,
                                         const TrackingSettings& settings) {
-  const FrameFeatures& reference = *map.reference_features;
+  const FrameFeatures& reference = *local_map.reference_features;
   std::vector<std::uint8_t> use(reference.size());
-  for (int i = 0; i < reference.size(); ++i) use[i] = map.reference_landmarks[i] >= 0 ? 1 : 0;
+  for (int i = 0; i < reference.size(); ++i) use[i] = local_map.reference_landmarks[i] >= 0 ? 1 : 0;
   std::vector<FrameMatch> matches;
-  std::vector<float> turns;
+  std::vector<float> rotations;
   for (const KeypointPair& pair :
-       match_all(reference, use, frame, settings.match_distance, settings.best_to_second)) {
-    const int landmark = map.reference_landmarks[pair.first];
-    matches.push_back({pair.second, landmark, map.landmarks[landmark].position});
-    turns.push_back(reference.keypoint(pair.first).angle - frame.keypoint(pair.second).angle);
+       match_all(reference, use, frame, settings.max_hamming_distance, settings.max_ratio)) {
+    const int landmark = local_map.reference_landmarks[pair.first];
+    matches.push_back({pair.second, landmark, local_map.landmarks[landmark].position});
+    rotations.push_back(reference.keypoint(pair.first).angle - frame.keypoint(pair.second).angle);
   }
-  keep_consistent(matches, turns);
+  keep_consistent(matches, rotations);
   return matches;
 }
 
-void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFrame& frame, double radius,
-                     const TrackingSettings& settings, std::vector<FrameMatch>& matches,
+void match_local_map(const Camera& camera, const LocalMap& local_map, const TrackedFrame& frame,
+                     double radius, const TrackingSettings& settings, std::vector<FrameMatch>& matches,
                      std::vector<int>& visible) {
   const FrameFeatures& features = *frame.features;
-  constexpr float kLargestAngleCosine = 0.5F;  // 60 degrees between now and the mean viewing direction
-  std::vector<std::uint8_t> taken(features.size(), 0), matched(map.landmarks.size(), 0);
+  constexpr float kMaxAngleCosine = 0.5F;  // 60 degrees between now and the mean viewing direction
+  std::vector<std::uint8_t> taken(features.size(), 0), matched(local_map.landmarks.size(), 0);
   for (const FrameMatch& match : matches) {
     if (match.landmark < 0) continue;  // a landmark may take a temporary point's keypoint
     taken[match.keypoint] = 1;
@@ -108,8 +109,8 @@ void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFra
   }
   const Eigen::Vector3d centre = frame.cam_from_world.centre();
   const int top = features.levels() - 1;
-  for (int i = 0; i < static_cast<int>(map.landmarks.size()); ++i) {
-    const LocalLandmark& landmark = map.landmarks[i];
+  for (int i = 0; i < static_cast<int>(local_map.landmarks.size()); ++i) {
+    const LocalLandmark& landmark = local_map.landmarks[i];
     if (matched[i] != 0) {
       visible.push_back(i);
       continue;
@@ -119,42 +120,42 @@ void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFra
     const Eigen::Vector3f ray = (landmark.position - centre).cast<float>();
     const float distance = ray.norm();
     // The range of scales is widened a little: the level of a keypoint is not exact.
-    if (distance < 0.8F * landmark.smallest_distance || distance > 1.2F * landmark.largest_distance) continue;
+    if (distance < 0.8F * landmark.min_distance || distance > 1.2F * landmark.max_distance) continue;
     const float cosine = ray.dot(landmark.direction) / distance;
-    if (cosine < kLargestAngleCosine) continue;
+    if (cosine < kMaxAngleCosine) continue;
     visible.push_back(i);
-    const int level = std::clamp(static_cast<int>(std::ceil(std::log(landmark.largest_distance / distance) /
-                                                            features.log_scale_factor())),
-                                 0, top);
+    const int level = std::clamp(
+        static_cast<int>(std::ceil(std::log(landmark.max_distance / distance) / features.log_scale_factor())),
+        0, top);
     // Seen from the side a point's appearance and place are less sure.
     const double wider = cosine > 0.998F ? 1.0 : 1.6;
     const SearchWindow window{pixel->x(), pixel->y(),
                               static_cast<float>(radius * wider) * features.scale(level),
                               std::max(level - 1, 0), std::min(level + 1, top)};
     const BestMatch best = match_in_window(features, landmark.descriptor, window, taken);
-    if (!best.accepted(settings.loose_match_distance, settings.best_to_second)) continue;
+    if (!best.accepted(settings.loose_max_hamming_distance, settings.max_ratio)) continue;
     taken[best.index] = 1;
     matches.push_back({best.index, i, landmark.position});
   }
   std::erase_if(matches, [&](const FrameMatch& m) { return m.landmark < 0 && taken[m.keypoint] != 0; });
 }
 
-void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& map,
+void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& local_map,
                    const Pyramid& pyramid, const std::vector<FrameMatch>& matches, TrackedFrame& frame) {
   constexpr float kReach = 3;  // [px of the level]; FAST corners do not wander further
   for (const FrameMatch& match : matches) {
     if (match.landmark < 0) continue;
-    const LocalLandmark& landmark = map.landmarks[match.landmark];
-    const LocalAnchor& view = map.anchors[landmark.anchor];
-    const Anchor anchor{view.features.get(), landmark.anchor_keypoint, view.cam_from_world,
-                        landmark.anchor_seen};
+    const LocalLandmark& landmark = local_map.landmarks[match.landmark];
+    const LocalReferenceView& view = local_map.reference_views[landmark.view];
+    const ReferenceView reference{view.features.get(), landmark.view_keypoint, view.cam_from_world,
+                                  landmark.view_pixel};
     const Keypoint& keypoint = frame.features->keypoint(match.keypoint);
-    const auto sight = align_in_image(camera, noise, anchor, match.position, frame.cam_from_world,
-                                      *frame.features, pyramid, {keypoint.x, keypoint.y}, kReach);
-    if (!sight) continue;
+    const auto observation = align_in_image(camera, noise, reference, match.position, frame.cam_from_world,
+                                            *frame.features, pyramid, {keypoint.x, keypoint.y}, kReach);
+    if (!observation) continue;
     const auto z = static_cast<float>((frame.cam_from_world * match.position).z());
-    frame.measurements[match.keypoint] =
-        measure(camera, frame.motion, sight->seen, z, frame.features->depth(match.keypoint), sight->scale);
+    frame.measurements[match.keypoint] = measure(camera, frame.motion, observation->seen, z,
+                                                 frame.features->depth(match.keypoint), observation->scale);
   }
 }
 

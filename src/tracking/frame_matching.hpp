@@ -22,25 +22,25 @@ struct FrameMatch {
 /// with consistent turns. Where they are few, points made of the last frame's other keypoints with depth are
 /// matched too.
 /// @param radius  search radius [px] on level 0; grows with the level's scale
-std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& map, const TrackedFrame& last,
-                                         const TrackedFrame& frame, double radius,
+std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& local_map,
+                                         const TrackedFrame& last, const TrackedFrame& frame, double radius,
                                          const TrackingSettings& settings);
 
 /// Matches the reference keyframe's landmarks by descriptor alone, with consistent turns.
-std::vector<FrameMatch> match_reference(const LocalMap& map, const FrameFeatures& frame,
+std::vector<FrameMatch> match_reference(const LocalMap& local_map, const FrameFeatures& frame,
                                         const TrackingSettings& settings);
 
 /// Matches the local map's landmarks that the camera should see and that are not matched yet.
 /// @param matches      in, out: what is matched already; new matches are appended
 /// @param visible      out: indices of landmarks that should be seen, those already matched included
 /// @param radius       search radius [px] on level 0
-void match_local_map(const Camera& camera, const LocalMap& map, const TrackedFrame& frame, double radius,
-                     const TrackingSettings& settings, std::vector<FrameMatch>& matches,
+void match_local_map(const Camera& camera, const LocalMap& local_map, const TrackedFrame& frame,
+                     double radius, const TrackingSettings& settings, std::vector<FrameMatch>& matches,
                      std::vector<int>& visible);
 
-/// Aligns the frame's image to the anchors of the matched landmarks: sets the measurements of those keypoints
-/// where it succeeds.
-void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& map,
+/// Aligns the frame's image to the reference view of the matched landmarks: sets the measurements of those
+/// keypoints where it succeeds.
+void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& local_map,
                    const Pyramid& pyramid, const std::vector<FrameMatch>& matches, TrackedFrame& frame);
 
 /// The observations of these matches, for the pose optimisation.

@@ -33,7 +33,7 @@ struct Between {
     last = mapped.scene.look(test::camera_at(0.2, 0, 0, 0, 0.01), options);
     options.seed = 3;
     now = mapped.scene.look(test::camera_at(0.23, 0.02, 0.01, 0.01, 0.02, 0.02), options);
-    local = make_local_map(mapped.map, mapped.landmarks, {0}, 10);
+    local = make_local_map(mapped.atlas, mapped.landmarks, {0}, 10);
   }
   const Camera& camera() const { return mapped.scene.camera; }
   TrackedFrame frame(const test::View& view, int index = 7) const {

@@ -22,45 +22,46 @@ CloseCounts count_close(const TrackedFrame& frame, double close_depth) {
 }
 
 /// Camera's way from the reference keyframe over the median depth of what it sees now.
-double parallax_ratio(const TrackedFrame& frame, const LocalMap& map) {
+double parallax_ratio(const TrackedFrame& frame, const LocalMap& local_map) {
   std::vector<double> depths;
   for (int i = 0; i < frame.features->size(); ++i) {
     if (!frame.landmarks[i].valid()) continue;
-    const int landmark = map.find(frame.landmarks[i]);
-    if (landmark >= 0) depths.push_back((frame.cam_from_world * map.landmarks[landmark].position).z());
+    const int landmark = local_map.find(frame.landmarks[i]);
+    if (landmark >= 0) depths.push_back((frame.cam_from_world * local_map.landmarks[landmark].position).z());
   }
   if (depths.empty()) return 0;
   const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), middle, depths.end());
-  return (frame.cam_from_world.centre() - map.reference_from_world.centre()).norm() / std::max(*middle, 0.1);
+  return (frame.cam_from_world.centre() - local_map.reference_from_world.centre()).norm() /
+         std::max(*middle, 0.1);
 }
 
 }  // namespace
 
-bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& map, int frames_since,
-                    int keyframes, const TrackingSettings& settings) {
+bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& local_map,
+                    int frames_since, int keyframes, const TrackingSettings& settings) {
   const CloseCounts close = count_close(frame, settings.close_depth);
   if (close.tracked < settings.close_tracked_low && close.untracked > settings.close_untracked_high)
     return true;
   // With few keyframes no landmark can have been seen by three yet.
   const bool young = keyframes < 3;
-  const int reference = map.count_reference_landmarks(!young);
+  const int reference = local_map.count_reference_landmarks(!young);
   const bool few_tracked = frame.inliers < settings.tracked_ratio * reference;
-  const bool long_ago = frames_since >= settings.longest_gap * camera.frames_per_second;
-  const bool moved = parallax_ratio(frame, map) > settings.parallax_ratio;
+  const bool long_ago = frames_since >= settings.max_keyframe_gap * camera.frames_per_second;
+  const bool moved = parallax_ratio(frame, local_map) > settings.parallax_ratio;
   return few_tracked || moved || (long_ago && frame.inliers < 0.9 * reference);
 }
 
-KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
-                           const TrackingSettings& settings, int number) {
+KeyframeId insert_keyframe(Atlas& atlas, const Camera& camera, const NoiseSettings& noise,
+                           TrackedFrame& frame, const TrackingSettings& settings, int number) {
   const FrameFeatures& features = *frame.features;
-  const bool first = number == map.map_count();
-  const KeyframeId keyframe = map.add_keyframe({frame.index, frame.timestamp, frame.cam_from_world,
-                                                frame.motion, frame.features, frame.measurements, number});
+  const bool first = number == atlas.map_count();
+  const KeyframeId keyframe = atlas.add_keyframe({frame.index, frame.timestamp, frame.cam_from_world,
+                                                  frame.motion, frame.features, frame.measurements, number});
   std::vector<int> free_with_depth;
   for (int i = 0; i < features.size(); ++i) {
     LandmarkId& landmark = frame.landmarks[i];
-    if (landmark.valid() && (!map.has(landmark) || !map.observe(keyframe, i, landmark))) landmark = {};
+    if (landmark.valid() && (!atlas.has(landmark) || !atlas.observe(keyframe, i, landmark))) landmark = {};
     if (!landmark.valid() && frame.measurements[i].depth > 0) free_with_depth.push_back(i);
   }
   std::stable_sort(free_with_depth.begin(), free_with_depth.end(),
@@ -73,16 +74,16 @@ KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& 
     // The first map takes what there is; later ones wait for distant points to be triangulated.
     const bool enough = !first && static_cast<int>(rank) >= settings.initial_landmarks;
     if (measurement.depth > settings.close_depth && enough) break;
-    const LandmarkId landmark = map.add_landmark(
+    const LandmarkId landmark = atlas.add_landmark(
         world_from_cam * camera.unproject(measurement.pixel.cast<double>(), measurement.depth), keyframe);
-    map.observe(keyframe, i, landmark);
-    map.refresh(landmark);
-    // This sight defines what the landmark is.
+    atlas.observe(keyframe, i, landmark);
+    atlas.refresh(landmark);
+    // This observation defines what the landmark is.
     frame.measurements[i].scale = features.scale_of(i) * aligned;
     frame.landmarks[i] = landmark;
     frame.outlier[i] = 0;
   }
-  for (int i = 0; i < features.size(); ++i) map.set_measurement(keyframe, i, frame.measurements[i]);
+  for (int i = 0; i < features.size(); ++i) atlas.set_measurement(keyframe, i, frame.measurements[i]);
   return keyframe;
 }
 

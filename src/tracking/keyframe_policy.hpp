@@ -1,8 +1,8 @@
 #pragma once
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "estimation/noise_settings.hpp"
-#include "map/map.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
 #include "tracking/tracking_settings.hpp"
@@ -14,14 +14,14 @@ namespace stdc {
 /// sec. III-E), or the view has moved on.
 /// @param frames_since  input frames since the last keyframe
 /// @param keyframes     keyframes in the map
-bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& map, int frames_since,
-                    int keyframes, const TrackingSettings& settings);
+bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& local_map,
+                    int frames_since, int keyframes, const TrackingSettings& settings);
 
 /// Puts a frame into the map as a keyframe: it observes its inlier landmarks, and new landmarks are made of
 /// the depths of its other keypoints: all close ones, and in any case the nearest `initial_landmarks`. The
 /// frame then sees these too.
 /// @param number  of the map that it goes to; `map.map_count()` starts another one
-KeyframeId insert_keyframe(Map& map, const Camera& camera, const NoiseSettings& noise, TrackedFrame& frame,
-                           const TrackingSettings& settings, int number = 0);
+KeyframeId insert_keyframe(Atlas& atlas, const Camera& camera, const NoiseSettings& noise,
+                           TrackedFrame& frame, const TrackingSettings& settings, int number = 0);
 
 }  // namespace stdc

@@ -20,7 +20,7 @@ struct Settled {
 
   Settled() : mapped(test::Scene(400)) {
     for (int k = 0; k < 4; ++k) mapped.add(mapped.scene.look(test::camera_at(0.02 * k, 0, 0)));
-    local = make_local_map(mapped.map, mapped.map.keyframe({3}).landmarks, {3}, 10);
+    local = make_local_map(mapped.atlas, mapped.atlas.keyframe({3}).landmarks, {3}, 10);
     view = mapped.scene.look(local.reference_from_world);
     frame = test::tracked_frame(mapped, view, 31);
     settings.close_tracked_low = 50;
@@ -104,17 +104,17 @@ TEST(KeyframePolicy, LongAgoAndLandmarksAreBeingLost) {
 
 TEST(KeyframePolicy, InsertsWithTheFramesLandmarksAndMakesCloseOnes) {
   Settled scene;
-  Map& map = scene.mapped.map;
+  Atlas& atlas = scene.mapped.atlas;
   const NoiseSettings noise;
   scene.settings.close_depth = 2.8;
   scene.settings.initial_landmarks = 5;
   scene.untrack(100);
   scene.frame.measurements[0].scale = 0.7F;  // aligned by the tracker
   const TrackedFrame before = scene.frame;
-  const int landmarks = map.landmark_count();
-  const KeyframeId id = insert_keyframe(map, scene.mapped.scene.camera, noise, scene.frame, scene.settings);
-  test::expect_consistent(map);
-  const Keyframe& keyframe = map.keyframe(id);
+  const int landmarks = atlas.landmark_count();
+  const KeyframeId id = insert_keyframe(atlas, scene.mapped.scene.camera, noise, scene.frame, scene.settings);
+  test::expect_consistent(atlas);
+  const Keyframe& keyframe = atlas.keyframe(id);
   EXPECT_EQ(keyframe.frame, 31);
   EXPECT_EQ(keyframe.features, before.features);
   EXPECT_EQ(keyframe.landmarks, scene.frame.landmarks);
@@ -129,16 +129,16 @@ TEST(KeyframePolicy, InsertsWithTheFramesLandmarksAndMakesCloseOnes) {
     EXPECT_EQ(keyframe.landmarks[i].valid(), depth > 0 && depth <= 2.8F);
     if (!keyframe.landmarks[i].valid()) continue;
     ++made;
-    const Landmark& landmark = map.landmark(keyframe.landmarks[i]);
+    const Landmark& landmark = atlas.landmark(keyframe.landmarks[i]);
     const Eigen::Vector3d truth = scene.mapped.scene.points[scene.view.points[i]].position;
     EXPECT_LT((landmark.position - truth).norm(), 1e-3);
     EXPECT_EQ(landmark.created_by, id);
     EXPECT_EQ(landmark.descriptor, before.features->descriptor(i));
-    EXPECT_GT(landmark.largest_distance, 0);
+    EXPECT_GT(landmark.max_distance, 0);
     EXPECT_FLOAT_EQ(keyframe.measurements[i].scale, before.features->scale_of(i) * 0.5F) << "it is an anchor";
   }
   EXPECT_GT(made, 5);
-  EXPECT_EQ(map.landmark_count(), landmarks + made);
+  EXPECT_EQ(atlas.landmark_count(), landmarks + made);
 }
 
 TEST(KeyframePolicy, TheFirstKeyframeMakesAllLandmarksItCan) {
@@ -146,11 +146,11 @@ TEST(KeyframePolicy, TheFirstKeyframeMakesAllLandmarksItCan) {
   scene.settings.close_depth = 0.5;
   scene.settings.initial_landmarks = 40;
   scene.untrack(scene.frame.features->size());
-  Map map;
-  insert_keyframe(map, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
+  Atlas atlas;
+  insert_keyframe(atlas, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
   const auto with_depth = std::count_if(scene.frame.measurements.begin(), scene.frame.measurements.end(),
                                         [](const Measurement& m) { return m.depth > 0; });
-  EXPECT_EQ(map.landmark_count(), with_depth);
+  EXPECT_EQ(atlas.landmark_count(), with_depth);
 }
 
 TEST(KeyframePolicy, MakesTheNearestLandmarksWhereNothingIsClose) {
@@ -158,14 +158,14 @@ TEST(KeyframePolicy, MakesTheNearestLandmarksWhereNothingIsClose) {
   scene.settings.close_depth = 0.5;
   scene.settings.initial_landmarks = 40;
   scene.untrack(scene.frame.features->size());
-  Map& map = scene.mapped.map;
-  const int before = map.landmark_count();
-  const KeyframeId id = insert_keyframe(map, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
-  EXPECT_EQ(map.landmark_count() - before, 40);
+  Atlas& atlas = scene.mapped.atlas;
+  const int before = atlas.landmark_count();
+  const KeyframeId id = insert_keyframe(atlas, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
+  EXPECT_EQ(atlas.landmark_count() - before, 40);
   double furthest = 0, nearest_left = 1e9;
   for (int i = 0; i < scene.frame.features->size(); ++i) {
     const double z = scene.frame.measurements[i].depth;
-    if (map.keyframe(id).landmarks[i].valid()) {
+    if (atlas.keyframe(id).landmarks[i].valid()) {
       furthest = std::max(furthest, z);
     } else if (z > 0) {
       nearest_left = std::min(nearest_left, z);
@@ -176,18 +176,18 @@ TEST(KeyframePolicy, MakesTheNearestLandmarksWhereNothingIsClose) {
 
 TEST(KeyframePolicy, LandmarksThatAreGoneAreMadeAnew) {
   Settled scene;
-  Map& map = scene.mapped.map;
+  Atlas& atlas = scene.mapped.atlas;
   scene.settings.close_depth = 10;
   const LandmarkId gone = scene.frame.landmarks[7], twice = scene.frame.landmarks[8];
-  map.remove(gone);
+  atlas.remove(gone);
   scene.frame.landmarks[9] = twice;  // merged since: two keypoints have the same landmark now
-  const KeyframeId id = insert_keyframe(map, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
-  test::expect_consistent(map);
-  EXPECT_EQ(map.keyframe(id).landmarks[8], twice);
-  EXPECT_EQ(map.keypoint_of(twice, id), 8);
+  const KeyframeId id = insert_keyframe(atlas, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
+  test::expect_consistent(atlas);
+  EXPECT_EQ(atlas.keyframe(id).landmarks[8], twice);
+  EXPECT_EQ(atlas.keypoint_of(twice, id), 8);
   EXPECT_NE(scene.frame.landmarks[7], gone);
   EXPECT_NE(scene.frame.landmarks[9], twice);
-  EXPECT_TRUE(map.has(scene.frame.landmarks[7]) && map.has(scene.frame.landmarks[9]));
+  EXPECT_TRUE(atlas.has(scene.frame.landmarks[7]) && atlas.has(scene.frame.landmarks[9]));
 }
 
 }  // namespace

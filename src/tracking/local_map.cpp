@@ -6,18 +6,18 @@ namespace stdc {
 namespace {
 
 /// Keyframes that see the frame's landmarks, most shared first, then neighbours and kin of those.
-std::vector<KeyframeId> choose_keyframes(const Map& map, std::span<const LandmarkId> seen,
+std::vector<KeyframeId> choose_keyframes(const Atlas& atlas, std::span<const LandmarkId> seen,
                                          KeyframeId fallback, int most) {
-  std::vector<int> votes(map.keyframe_id_limit(), 0);
+  std::vector<int> votes(atlas.keyframe_id_limit(), 0);
   for (const LandmarkId id : seen) {
-    if (!id.valid() || !map.has(id)) continue;
-    for (const Observation& o : map.landmark(id).observations) ++votes[o.keyframe.value];
+    if (!id.valid() || !atlas.has(id)) continue;
+    for (const Observation& o : atlas.landmark(id).observations) ++votes[o.keyframe.value];
   }
   std::vector<KeyframeId> chosen;
   for (std::uint32_t k = 0; k < votes.size(); ++k) {
     if (votes[k] > 0) chosen.push_back({k});
   }
-  if (chosen.empty()) chosen.push_back(map.resolve(fallback).keyframe);
+  if (chosen.empty()) chosen.push_back(atlas.resolve(fallback).keyframe);
   std::stable_sort(chosen.begin(), chosen.end(),
                    [&](KeyframeId a, KeyframeId b) { return votes[a.value] > votes[b.value]; });
   if (static_cast<int>(chosen.size()) > most) chosen.resize(most);
@@ -27,7 +27,7 @@ std::vector<KeyframeId> choose_keyframes(const Map& map, std::span<const Landmar
   for (const KeyframeId id : chosen) is_chosen[id.value] = 1;
   const std::size_t direct = chosen.size();
   for (std::size_t i = 0; i < direct && static_cast<int>(chosen.size()) < most; ++i) {
-    const Keyframe& keyframe = map.keyframe(chosen[i]);
+    const Keyframe& keyframe = atlas.keyframe(chosen[i]);
     const auto add = [&](KeyframeId id) {
       if (!id.valid() || is_chosen[id.value] != 0 || static_cast<int>(chosen.size()) >= most) return;
       is_chosen[id.value] = 1;
@@ -40,37 +40,37 @@ std::vector<KeyframeId> choose_keyframes(const Map& map, std::span<const Landmar
   return chosen;
 }
 
-/// Copies landmarks out, and the keyframes that anchor them once each.
+/// Copies landmarks out, and the keyframes that reference view them once each.
 class Copier {
  public:
-  explicit Copier(const Map& map) : map_(map), anchor_index_(map.keyframe_id_limit(), -1) {}
+  explicit Copier(const Atlas& atlas) : map_(atlas), view_index_(atlas.keyframe_id_limit(), -1) {}
 
-  LocalLandmark copy(const Landmark& landmark, std::vector<LocalAnchor>& anchors) {
+  LocalLandmark copy(const Landmark& landmark, std::vector<LocalReferenceView>& reference_views) {
     constexpr std::size_t kEstablished = 3;
     const Observation& oldest = landmark.observations.front();
     const Keyframe& keyframe = map_.keyframe(oldest.keyframe);
-    int& anchor = anchor_index_[oldest.keyframe.value];
-    if (anchor < 0) {
-      anchor = static_cast<int>(anchors.size());
-      anchors.push_back({keyframe.features, keyframe.cam_from_world});
+    int& view = view_index_[oldest.keyframe.value];
+    if (view < 0) {
+      view = static_cast<int>(reference_views.size());
+      reference_views.push_back({keyframe.features, keyframe.cam_from_world});
     }
     LocalLandmark local;
     local.id = landmark.id;
-    local.smallest_distance = landmark.smallest_distance;
-    local.largest_distance = landmark.largest_distance;
+    local.min_distance = landmark.min_distance;
+    local.max_distance = landmark.max_distance;
     local.direction = landmark.direction;
     local.position = landmark.position;
     local.descriptor = landmark.descriptor;
     local.established = landmark.observations.size() >= kEstablished;
-    local.anchor = anchor;
-    local.anchor_keypoint = oldest.keypoint;
-    local.anchor_seen = keyframe.measurements[oldest.keypoint].seen;
+    local.view = view;
+    local.view_keypoint = oldest.keypoint;
+    local.view_pixel = keyframe.measurements[oldest.keypoint].seen;
     return local;
   }
 
  private:
-  const Map& map_;
-  std::vector<int> anchor_index_;
+  const Atlas& map_;
+  std::vector<int> view_index_;
 };
 
 }  // namespace
@@ -88,16 +88,16 @@ int LocalMap::count_reference_landmarks(bool established_only) const {
       [&](int landmark) { return landmark >= 0 && (!established_only || landmarks[landmark].established); }));
 }
 
-LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, KeyframeId fallback,
+LocalMap make_local_map(const Atlas& atlas, std::span<const LandmarkId> seen, KeyframeId fallback,
                         int keyframes) {
-  const std::vector<KeyframeId> chosen = choose_keyframes(map, seen, fallback, keyframes);
+  const std::vector<KeyframeId> chosen = choose_keyframes(atlas, seen, fallback, keyframes);
   LocalMap local;
-  Copier copier(map);
+  Copier copier(atlas);
   // Mark, then gather in order of id: the landmarks come out sorted without sorting.
-  std::vector<int> index(map.landmark_id_limit(), -1);
+  std::vector<int> index(atlas.landmark_id_limit(), -1);
   std::uint32_t lowest = static_cast<std::uint32_t>(index.size()), highest = 0;
   for (const KeyframeId id : chosen) {
-    for (const LandmarkId landmark : map.keyframe(id).landmarks) {
+    for (const LandmarkId landmark : atlas.keyframe(id).landmarks) {
       if (!landmark.valid()) continue;
       index[landmark.value] = 0;
       lowest = std::min(lowest, landmark.value);
@@ -107,9 +107,9 @@ LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, Keyfra
   for (std::uint32_t value = lowest; value <= highest && value < index.size(); ++value) {
     if (index[value] < 0) continue;
     index[value] = static_cast<int>(local.landmarks.size());
-    local.landmarks.push_back(copier.copy(map.landmark({value}), local.anchors));
+    local.landmarks.push_back(copier.copy(atlas.landmark({value}), local.reference_views));
   }
-  const Keyframe& reference = map.keyframe(chosen.front());
+  const Keyframe& reference = atlas.keyframe(chosen.front());
   local.reference = reference.id;
   local.reference_from_world = reference.cam_from_world;
   local.reference_features = reference.features;

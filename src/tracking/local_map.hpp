@@ -5,29 +5,29 @@
 #include <span>
 #include <vector>
 
+#include "atlas/atlas.hpp"
+#include "atlas/landmark_alignment.hpp"
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/frame_features.hpp"
-#include "map/landmark_alignment.hpp"
-#include "map/map.hpp"
 
 namespace stdc {
 
 /// What the tracker needs to know of a landmark.
 struct LocalLandmark {
   LandmarkId id;
-  float smallest_distance = 0, largest_distance = 0;    ///< [m]
+  float min_distance = 0, max_distance = 0;             ///< [m]
   Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< mean viewing direction, world
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< world [m]
   Descriptor descriptor;
   bool established = false;  ///< seen by three keyframes or more
-  int anchor = 0;            ///< index into LocalMap::anchors
-  int anchor_keypoint = 0;
-  Eigen::Vector2f anchor_seen = Eigen::Vector2f::Zero();
+  int view = 0;              ///< index into LocalMap::reference_views
+  int view_keypoint = 0;
+  Eigen::Vector2f view_pixel = Eigen::Vector2f::Zero();
 };
 
 /// A keyframe that saw some of the landmarks first.
-struct LocalAnchor {
+struct LocalReferenceView {
   std::shared_ptr<const FrameFeatures> features;
   Pose cam_from_world;
 };
@@ -37,7 +37,7 @@ struct LocalAnchor {
 /// al., 'ORB-SLAM', T-RO 2015, sec. V-D).
 struct LocalMap {
   std::vector<LocalLandmark> landmarks;  ///< by id
-  std::vector<LocalAnchor> anchors;
+  std::vector<LocalReferenceView> reference_views;
   KeyframeId reference;  ///< the keyframe that shares most landmarks with the frame
   Pose reference_from_world;
   std::shared_ptr<const FrameFeatures> reference_features;
@@ -52,6 +52,7 @@ struct LocalMap {
 /// @param seen       landmarks that the frame sees; those that are gone are passed over
 /// @param fallback   reference keyframe if none of them is seen by any keyframe
 /// @param keyframes  most keyframes to take landmarks from
-LocalMap make_local_map(const Map& map, std::span<const LandmarkId> seen, KeyframeId fallback, int keyframes);
+LocalMap make_local_map(const Atlas& atlas, std::span<const LandmarkId> seen, KeyframeId fallback,
+                        int keyframes);
 
 }  // namespace stdc

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "map/test_scene.hpp"
+#include "atlas/test_scene.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
 

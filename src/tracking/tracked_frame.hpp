@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
+#include "atlas/keyframe.hpp"
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/frame_features.hpp"
-#include "map/keyframe.hpp"
 
 namespace stdc {
 

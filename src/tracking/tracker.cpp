@@ -10,17 +10,17 @@ Tracker::Tracker(const Camera& camera, const TrackingSettings& settings, const N
                  const PoseOptimisationSettings& optimisation)
     : camera_(camera), settings_(settings), noise_(noise), optimisation_(optimisation) {}
 
-bool Tracker::track(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid) {
+bool Tracker::track(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid) {
   times_ = {};
   Stopwatch watch;
-  std::vector<FrameMatch> matches = track_motion(frame, map);
-  if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion)
-    matches = track_reference(frame, map);
+  std::vector<FrameMatch> matches = track_motion(frame, local_map);
+  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion)
+    matches = track_reference(frame, local_map);
   times_.prediction = watch.lap_ms();
-  if (static_cast<int>(matches.size()) < settings_.minimum_inliers_motion) return false;
+  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) return false;
   frame.set_motion(camera_, velocity_to(frame));
-  const bool tracked =
-      refine(frame, map, pyramid, std::move(matches), settings_.local_map_radius, settings_.minimum_inliers);
+  const bool tracked = refine(frame, local_map, pyramid, std::move(matches), settings_.local_map_radius,
+                              settings_.min_inliers);
   times_.local_map = watch.lap_ms();
   return tracked;
 }
@@ -50,22 +50,23 @@ PosePrior Tracker::motion_prior(const TrackedFrame& frame) const {
   return prior;
 }
 
-std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& map) const {
+std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& local_map) const {
   frame.cam_from_world = predict(frame.timestamp);
   frame.set_motion(camera_, velocity_);
   std::vector<FrameMatch> matches;
   // Where the prediction was wrong (a jerk, a blurred stretch), look further.
   for (const double widening : {1.0, 2.5}) {
-    matches = match_last_frame(camera_, map, *last_, frame, widening * settings_.search_radius, settings_);
-    if (static_cast<int>(matches.size()) >= 2 * settings_.minimum_inliers_motion) break;
+    matches =
+        match_last_frame(camera_, local_map, *last_, frame, widening * settings_.search_radius, settings_);
+    if (static_cast<int>(matches.size()) >= 2 * settings_.min_inliers_motion) break;
   }
   return optimise(frame, std::move(matches));
 }
 
-std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const LocalMap& map) const {
+std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const LocalMap& local_map) const {
   frame.cam_from_world = last_->cam_from_world;
   frame.set_motion(camera_, Vector6d::Zero());
-  return optimise(frame, match_reference(map, *frame.features, settings_));
+  return optimise(frame, match_reference(local_map, *frame.features, settings_));
 }
 
 /// Optimises the frame's pose; gives the matches that agree with it, none if there is no sound pose.
@@ -83,10 +84,10 @@ std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<Frame
   return matches;
 }
 
-bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid,
-                     std::vector<FrameMatch> matches, double radius, int least_inliers) {
+bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid,
+                     std::vector<FrameMatch> matches, double radius, int min_inliers) {
   std::vector<int> visible;
-  match_local_map(camera_, map, frame, radius, settings_, matches, visible);
+  match_local_map(camera_, local_map, frame, radius, settings_, matches, visible);
   const auto is_temporary = [](const FrameMatch& m) { return m.landmark < 0; };
   const auto temporary = std::count_if(matches.begin(), matches.end(), is_temporary);
   if (static_cast<int>(matches.size() - temporary) >= settings_.initial_landmarks) {
@@ -96,7 +97,7 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& py
   std::vector<FrameMatch> inliers = optimise(frame, matches);
   // Once the pose is about right the landmarks' own patches tell where they are more exactly than the
   // corners.
-  align_matches(camera_, noise_, map, pyramid, inliers, frame);
+  align_matches(camera_, noise_, local_map, pyramid, inliers, frame);
   inliers = optimise(frame, std::move(inliers));
   if (last_ && frame.motion.readout_time != 0) {
     frame.set_motion(camera_, velocity_to(frame));
@@ -107,28 +108,28 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& py
   for (const FrameMatch& match : matches) frame.outlier[match.keypoint] = 1;
   for (const FrameMatch& match : inliers) {
     frame.outlier[match.keypoint] = 0;
-    if (match.landmark >= 0) frame.landmarks[match.keypoint] = map.landmarks[match.landmark].id;
+    if (match.landmark >= 0) frame.landmarks[match.keypoint] = local_map.landmarks[match.landmark].id;
   }
   // Temporary points keep a frame in track, but nothing holds them in place: they do not count as landmarks.
   frame.inliers =
       static_cast<int>(inliers.size() - std::count_if(inliers.begin(), inliers.end(), is_temporary));
-  count(map, visible, inliers);
-  return static_cast<int>(inliers.size()) >= least_inliers;
+  count(local_map, visible, inliers);
+  return static_cast<int>(inliers.size()) >= min_inliers;
 }
 
-void Tracker::count(const LocalMap& map, const std::vector<int>& visible,
+void Tracker::count(const LocalMap& local_map, const std::vector<int>& visible,
                     const std::vector<FrameMatch>& inliers) {
-  for (const int landmark : visible) counts_.push_back({map.landmarks[landmark].id, 1, 0});
+  for (const int landmark : visible) counts_.push_back({local_map.landmarks[landmark].id, 1, 0});
   for (const FrameMatch& match : inliers) {
-    if (match.landmark >= 0) counts_.push_back({map.landmarks[match.landmark].id, 0, 1});
+    if (match.landmark >= 0) counts_.push_back({local_map.landmarks[match.landmark].id, 0, 1});
   }
 }
 
-void Tracker::flush_counts(Map& map) {
+void Tracker::flush_counts(Atlas& atlas) {
   for (const Count& c : counts_) {
-    if (!map.has(c.landmark)) continue;
-    map.count_visible(c.landmark, c.visible);
-    map.count_found(c.landmark, c.found);
+    if (!atlas.has(c.landmark)) continue;
+    atlas.count_visible(c.landmark, c.visible);
+    atlas.count_found(c.landmark, c.found);
   }
   counts_.clear();
 }
@@ -148,14 +149,14 @@ void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Po
   last_from_reference_ = frame.cam_from_world * reference_from_world.inverse();
 }
 
-void Tracker::forget() { last_.reset(); }
+void Tracker::clear_last() { last_.reset(); }
 
-void Tracker::follow(const Map& map) {
+void Tracker::follow(const Atlas& atlas) {
   if (!last_) return;
-  const Map::Anchor anchor = map.resolve(last_reference_);
-  last_from_reference_ = last_from_reference_ * anchor.cam_from_anchor;
-  last_reference_ = anchor.keyframe;
-  last_->cam_from_world = last_from_reference_ * map.keyframe(anchor.keyframe).cam_from_world;
+  const Atlas::KeptAncestor ancestor = atlas.resolve(last_reference_);
+  last_from_reference_ = last_from_reference_ * ancestor.cam_from_ancestor;
+  last_reference_ = ancestor.keyframe;
+  last_->cam_from_world = last_from_reference_ * atlas.keyframe(ancestor.keyframe).cam_from_world;
 }
 
 }  // namespace stdc

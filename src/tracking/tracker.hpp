@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "estimation/pose_optimisation.hpp"
-#include "map/map.hpp"
 #include "tracking/frame_matching.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
@@ -28,24 +28,24 @@ class Tracker {
 
   /// Tracks a frame from the last one: fills its pose, landmarks, matches and inliers. False: it is lost.
   /// `pyramid`: of the frame's image.
-  bool track(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid);
+  bool track(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid);
   /// Matches the local map to a frame whose pose is about known and optimises. False: too few inliers.
-  bool refine(TrackedFrame& frame, const LocalMap& map, const Pyramid& pyramid,
-              std::vector<FrameMatch> matches, double radius, int least_inliers);
+  bool refine(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid,
+              std::vector<FrameMatch> matches, double radius, int min_inliers);
 
   /// From now on this is the last frame. `reference`: keyframe of the local map it was tracked in.
   void remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world);
   /// After a loss: there is no last frame.
-  void forget();
+  void clear_last();
   bool has_last() const { return last_.has_value(); }
   const TrackedFrame& last() const { return *last_; }
   /// How the camera has moved since the last frame if it kept its velocity, frame_from_last; nothing after a
   /// loss.
   std::optional<Pose> predicted_motion(double timestamp) const;
   /// The map has changed: the last frame moves with its reference keyframe.
-  void follow(const Map& map);
+  void follow(const Atlas& atlas);
   /// Gives the map the counts of landmarks visible and found since the last call.
-  void flush_counts(Map& map);
+  void flush_counts(Atlas& atlas);
   /// Or drops them: the map is to stay as it is.
   void drop_counts() { counts_.clear(); }
 
@@ -54,11 +54,12 @@ class Tracker {
  private:
   Pose predict(double timestamp) const;
   Vector6d velocity_to(const TrackedFrame& frame) const;
-  std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& map) const;
-  std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& map) const;
+  std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& local_map) const;
+  std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
   PosePrior motion_prior(const TrackedFrame& frame) const;
-  void count(const LocalMap& map, const std::vector<int>& visible, const std::vector<FrameMatch>& inliers);
+  void count(const LocalMap& local_map, const std::vector<int>& visible,
+             const std::vector<FrameMatch>& inliers);
 
   struct Count {
     LandmarkId landmark;

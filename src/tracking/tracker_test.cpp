@@ -15,7 +15,7 @@ class TrackerTest : public ::testing::Test {
     mapped.scene.camera.readout_time = readout_time;
     mapped.add(mapped.scene.look(test::camera_at(0, 0, 0)));
     mapped.add(mapped.scene.look(test::camera_at(0.3, 0, 0)));
-    local = make_local_map(mapped.map, mapped.landmarks, {0}, 10);
+    local = make_local_map(mapped.atlas, mapped.landmarks, {0}, 10);
     pyramid.build(cv::Mat(480, 640, CV_8UC1, cv::Scalar(128)), test::scene_feature_settings());
     velocity << -0.6, 0.15, -0.2, 0.1, -0.3, 0.2;
     tracker.emplace(mapped.scene.camera, settings, NoiseSettings(), PoseOptimisationSettings());
@@ -118,7 +118,7 @@ TEST_F(TrackerTest, IsLostWhereNothingMatches) {
       std::make_shared<FrameFeatures>(mapped.scene.camera, Features(), cv::Mat(), 1.2, 6, nullptr));
   EXPECT_FALSE(tracker->track(empty, local, pyramid));
   EXPECT_TRUE(tracker->has_last()) << "it is for the caller to forget";
-  tracker->forget();
+  tracker->clear_last();
   EXPECT_FALSE(tracker->has_last());
 }
 
@@ -127,7 +127,7 @@ TEST_F(TrackerTest, ThePriorDecidesWhereAFrameShowsLittle) {
   const auto error_with = [&](double acceleration_sigma, double angular_sigma) {
     settings.acceleration_sigma = acceleration_sigma;
     settings.angular_acceleration_sigma = angular_sigma;
-    settings.minimum_inliers = 12;
+    settings.min_inliers = 12;
     tracker.emplace(mapped.scene.camera, settings, NoiseSettings(), PoseOptimisationSettings());
     begin();
     double sum = 0;
@@ -192,40 +192,41 @@ TEST_F(TrackerTest, CountsAreGivenToTheMapOnce) {
   for (const LandmarkId id : frame.landmarks) {
     if (id.valid()) (found.valid() ? gone : found) = id;
   }
-  mapped.map.remove(gone);
-  tracker->flush_counts(mapped.map);
-  EXPECT_EQ(mapped.map.landmark(found).visible, 1);
-  EXPECT_EQ(mapped.map.landmark(found).found, 1);
+  mapped.atlas.remove(gone);
+  tracker->flush_counts(mapped.atlas);
+  EXPECT_EQ(mapped.atlas.landmark(found).visible, 1);
+  EXPECT_EQ(mapped.atlas.landmark(found).found, 1);
   int sum = 0;
-  for (const LandmarkId id : mapped.map.landmark_ids()) {
-    sum += mapped.map.landmark(id).found;
-    EXPECT_LE(mapped.map.landmark(id).found, mapped.map.landmark(id).visible);
+  for (const LandmarkId id : mapped.atlas.landmark_ids()) {
+    sum += mapped.atlas.landmark(id).found;
+    EXPECT_LE(mapped.atlas.landmark(id).found, mapped.atlas.landmark(id).visible);
   }
   EXPECT_EQ(sum, frame.inliers - 1) << "one of them is gone";
-  tracker->flush_counts(mapped.map);
-  EXPECT_EQ(mapped.map.landmark(found).visible, 1);
+  tracker->flush_counts(mapped.atlas);
+  EXPECT_EQ(mapped.atlas.landmark(found).visible, 1);
 }
 
 TEST_F(TrackerTest, TheLastFrameFollowsItsKeyframe) {
-  tracker->follow(mapped.map);  // nothing to move yet
+  tracker->follow(mapped.atlas);  // nothing to move yet
   begin();
   const KeyframeId reference = local.reference;
-  Map& map = mapped.map;
-  const Pose relative = truth(1) * map.keyframe(reference).cam_from_world.inverse();
-  map.set_pose(reference, test::camera_at(0.02, 0.01, -0.01, 0.01, 0.02, 0));
-  tracker->follow(map);
-  const Pose expected = relative * map.keyframe(reference).cam_from_world;
+  Atlas& atlas = mapped.atlas;
+  const Pose relative = truth(1) * atlas.keyframe(reference).cam_from_world.inverse();
+  atlas.set_pose(reference, test::camera_at(0.02, 0.01, -0.01, 0.01, 0.02, 0));
+  tracker->follow(atlas);
+  const Pose expected = relative * atlas.keyframe(reference).cam_from_world;
   EXPECT_LT(test::centre_error(tracker->last().cam_from_world, expected), 1e-9);
   // The keyframe is removed and what is left moves on.
   const KeyframeId third = mapped.add(look(truth(1), 1));
   tracker->remember(test::tracked_frame(mapped, look(truth(1), 1), 1), third, truth(1));
-  map.remove(third);
-  const KeyframeId kept = map.resolve(third).keyframe;
-  const Pose from_kept = truth(1) * map.keyframe(kept).cam_from_world.inverse();
-  map.set_pose(kept, test::camera_at(-0.05, 0, 0.03, 0, 0.05, 0));
-  tracker->follow(map);
-  EXPECT_LT(test::centre_error(tracker->last().cam_from_world, from_kept * map.keyframe(kept).cam_from_world),
-            1e-9);
+  atlas.remove(third);
+  const KeyframeId kept = atlas.resolve(third).keyframe;
+  const Pose from_kept = truth(1) * atlas.keyframe(kept).cam_from_world.inverse();
+  atlas.set_pose(kept, test::camera_at(-0.05, 0, 0.03, 0, 0.05, 0));
+  tracker->follow(atlas);
+  EXPECT_LT(
+      test::centre_error(tracker->last().cam_from_world, from_kept * atlas.keyframe(kept).cam_from_world),
+      1e-9);
 }
 
 }  // namespace

@@ -9,11 +9,11 @@ struct TrackingSettings {
   int initial_landmarks = 100;
   double search_radius = 15;
   double local_map_radius = 6;
-  int match_distance = 64;
-  int loose_match_distance = 75;
-  double best_to_second = 0.8;
-  int minimum_inliers_motion = 12;
-  int minimum_inliers = 15;
+  int max_hamming_distance = 64;
+  int loose_max_hamming_distance = 75;
+  double max_ratio = 0.8;
+  int min_inliers_motion = 12;
+  int min_inliers = 15;
   int relocalisation_keyframes = 5;
   int relocalisation_inliers = 30;
   int new_map_after = 30;
@@ -22,7 +22,7 @@ struct TrackingSettings {
   int close_untracked_high = 70;
   double tracked_ratio = 0.75;
   double parallax_ratio = 0.12;
-  double longest_gap = 1.0;
+  double max_keyframe_gap = 1.0;
   int local_keyframes = 60;
   double acceleration_sigma = 6;
   double angular_acceleration_sigma = 40;
@@ -37,18 +37,16 @@ struct TrackingSettings {
           self.search_radius);
     visit(Setting{"local_map_radius", "px", "Search radius around a landmark of the local map", 0.5, 100},
           self.local_map_radius);
-    visit(Setting{"match_distance", "bits", "Largest descriptor distance of a sure match", 1, 256},
-          self.match_distance);
-    visit(Setting{"loose_match_distance", "bits",
+    visit(Setting{"max_hamming_distance", "bits", "Largest descriptor distance of a sure match", 1, 256},
+          self.max_hamming_distance);
+    visit(Setting{"loose_max_hamming_distance", "bits",
                   "Largest descriptor distance where the position is well predicted", 1, 256},
-          self.loose_match_distance);
-    visit(Setting{"best_to_second", "ratio", "A match must be better than the next best by this factor", 0.1,
-                  1},
-          self.best_to_second);
-    visit(Setting{"minimum_inliers_motion", "count", "Inliers that the prediction step needs", 3, 1000},
-          self.minimum_inliers_motion);
-    visit(Setting{"minimum_inliers", "count", "Inliers that a tracked frame needs", 3, 1000},
-          self.minimum_inliers);
+          self.loose_max_hamming_distance);
+    visit(Setting{"max_ratio", "ratio", "A match must be better than the next best by this factor", 0.1, 1},
+          self.max_ratio);
+    visit(Setting{"min_inliers_motion", "count", "Inliers that the prediction step needs", 3, 1000},
+          self.min_inliers_motion);
+    visit(Setting{"min_inliers", "count", "Inliers that a tracked frame needs", 3, 1000}, self.min_inliers);
     visit(Setting{"relocalisation_keyframes", "count", "Recent keyframes tried when lost", 1, 1000},
           self.relocalisation_keyframes);
     visit(
@@ -71,9 +69,9 @@ struct TrackingSettings {
     visit(Setting{"parallax_ratio", "ratio", "Keyframe when the camera moved this share of the scene's depth",
                   0, 10},
           self.parallax_ratio);
-    visit(Setting{"longest_gap", "s", "Longest time between keyframes while landmarks are being lost", 0.05,
-                  60},
-          self.longest_gap);
+    visit(Setting{"max_keyframe_gap", "s", "Longest time between keyframes while landmarks are being lost",
+                  0.05, 60},
+          self.max_keyframe_gap);
     visit(Setting{"acceleration_sigma", "m/s^2", "Usual acceleration of the camera, for the motion prior",
                   0.01, 1e6},
           self.acceleration_sigma);

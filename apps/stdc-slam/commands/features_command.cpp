@@ -1,0 +1,204 @@
+// stdc-slam features: quality and uniformity of the keypoints by both selections (Table 2 of the paper).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "core/image_codec.hpp"
+#include "features/detection/uniformity.hpp"
+#include "features/extractor.hpp"
+#include "input/layouts/tum_sequence.hpp"
+#include "report/debug_images.hpp"
+#include "run/output_folder.hpp"
+#include "run/progress.hpp"
+
+namespace stdc::app {
+namespace {
+
+struct Options {
+  std::string sequence;
+  std::optional<std::string> camera, debug_images;
+  std::vector<int> frames;
+  int keypoints = 218;
+  bool markdown = false, json = false, quiet = false;
+};
+
+constexpr std::array kSelections{Selection::orb_slam3, Selection::improved};
+
+/// Numbers of keypoints of a frame, or their means over several.
+struct Distribution {
+  double high = 0, low = 0, uniformity = 0;
+};
+
+struct Row {
+  int frame = 0;
+  std::array<Distribution, kSelections.size()> selections;
+};
+
+Distribution measure(const Features& features, cv::Size size) {
+  const auto high = std::count_if(features.keypoints.begin(), features.keypoints.end(),
+                                  [](const Keypoint& k) { return k.quality == KeypointQuality::high; });
+  return {static_cast<double>(high),
+          static_cast<double>(features.keypoints.size()) - static_cast<double>(high),
+          uniformity(features.keypoints, size)};
+}
+
+Row average(const std::vector<Row>& rows) {
+  Row sum;
+  const auto count = static_cast<double>(rows.size());
+  for (const Row& row : rows) {
+    for (std::size_t s = 0; s < kSelections.size(); ++s) {
+      sum.selections[s].high += row.selections[s].high / count;
+      sum.selections[s].low += row.selections[s].low / count;
+      sum.selections[s].uniformity += row.selections[s].uniformity / count;
+    }
+  }
+  return sum;
+}
+
+std::vector<int> chosen_frames(const Options& options, const TumSequence& sequence) {
+  const int count = static_cast<int>(sequence.frames().size());
+  std::vector<int> frames = options.frames;
+  if (frames.empty()) {
+    frames.resize(sequence.frames().size());
+    std::iota(frames.begin(), frames.end(), 0);
+  }
+  for (const int frame : frames) {
+    if (frame >= 0 && frame < count) continue;
+    throw Error("--frames", fmt::format("there is no frame {}", frame),
+                fmt::format("give numbers from 0 to {}, separated by commas", count - 1));
+  }
+  return frames;
+}
+
+std::vector<Row> measure_frames(const Options& options) {
+  const TumSequence sequence(options.sequence);
+  const Camera camera = find_camera(sequence, options.camera);
+  const std::vector<int> frames = chosen_frames(options, sequence);
+  std::vector<FeatureExtractor> extractors;
+  extractors.reserve(kSelections.size());
+  for (const Selection selection : kSelections) {
+    extractors.emplace_back(FeatureSettings{.selection = selection, .keypoints = options.keypoints});
+  }
+  std::optional<OutputFolder> pictures;
+  if (options.debug_images) pictures.emplace(*options.debug_images);
+  Progress progress("extracting", "frames", static_cast<int>(frames.size()), options.quiet);
+  std::vector<Row> rows;
+  for (const int frame : frames) {
+    const SequenceFrame& files = sequence.frames()[static_cast<std::size_t>(frame)];
+    const cv::Mat grey = load_frame(files, camera, ColourMode::grey).colour;
+    Row& row = rows.emplace_back(Row{frame, {}});
+    for (std::size_t s = 0; s < kSelections.size(); ++s) {
+      row.selections[s] = measure(extractors[s].extract(grey), grey.size());
+      if (!pictures) continue;
+      pictures->write(fmt::format("features-{:05}-{}.png", frame, enum_name(kSelections[s])),
+                      encode_png(draw_cells(grey, cv::Mat(), frame, extractors[s].settings())));
+    }
+    progress.update(static_cast<int>(rows.size()));
+  }
+  progress.finish();
+  if (pictures) pictures->commit();
+  return rows;
+}
+
+std::string format_row(const std::string& name, const Row& row, bool markdown) {
+  std::string line = markdown ? "| " + name + " " : fmt::format("{:>9}", name);
+  for (const Distribution& d : row.selections) {
+    const double total = d.high + d.low;
+    line += markdown ? fmt::format("| {:.0f} | {:.0f} | {:.0f} | {:.0f} ", d.high, d.low, total, d.uniformity)
+                     : fmt::format("   {:>6.0f}{:>6.0f}{:>6.0f}{:>6.0f}", d.high, d.low, total, d.uniformity);
+  }
+  return line + (markdown ? "|\n" : "\n");
+}
+
+std::string format_table(const std::vector<Row>& rows, bool with_frames, bool markdown) {
+  std::string text;
+  if (markdown) {
+    text = "| Frame ";
+    for (const Selection s : kSelections)
+      text += fmt::format("| {0} H | {0} L | {0} T | {0} U ", enum_name(s));
+    text += "|\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  } else {
+    text = fmt::format("{:>9}", "");
+    for (const Selection s : kSelections) text += fmt::format("   {:^24}", enum_name(s));
+    text += fmt::format("\n{:>9}", "frame");
+    for (std::size_t s = 0; s < kSelections.size(); ++s)
+      text += fmt::format("   {:>6}{:>6}{:>6}{:>6}", "H", "L", "T", "U");
+    text += '\n';
+  }
+  if (with_frames) {
+    for (const Row& row : rows) text += format_row(std::to_string(row.frame), row, markdown);
+  }
+  text += format_row(with_frames ? "average" : fmt::format("all {}", rows.size()), average(rows), markdown);
+  if (!markdown) {
+    text +=
+        "H, L, T: keypoints of high and of low quality, and all. U: uniformity, the smaller the more even.\n";
+  }
+  return text;
+}
+
+nlohmann::json to_json(const Row& row) {
+  nlohmann::json json;
+  for (std::size_t s = 0; s < kSelections.size(); ++s) {
+    const Distribution& d = row.selections[s];
+    json[std::string(enum_name(kSelections[s]))] = {
+        {"high", d.high}, {"low", d.low}, {"total", d.high + d.low}, {"uniformity", d.uniformity}};
+  }
+  return json;
+}
+
+std::string format_json(const Options& options, const std::vector<Row>& rows) {
+  nlohmann::json json{
+      {"sequence", options.sequence}, {"keypoints", options.keypoints}, {"average", to_json(average(rows))}};
+  for (const Row& row : rows) {
+    json["frames"].push_back(to_json(row));
+    json["frames"].back()["frame"] = row.frame;
+  }
+  return json.dump(2) + "\n";
+}
+
+void run(const Options& options) {
+  const std::vector<Row> rows = measure_frames(options);
+  fmt::print("{}", options.json ? format_json(options, rows)
+                                : format_table(rows, !options.frames.empty(), options.markdown));
+}
+
+}  // namespace
+
+void add_features_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("features", "Compare the keypoint selections: quality and uniformity");
+  command->add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout")->required();
+  command
+      ->add_option("--frames", options->frames,
+                   "Frames to show, counted from 0, e.g. 1,60,303 (default: all)")
+      ->delimiter(',');
+  command->add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
+      ->capture_default_str();
+  command->add_option("--camera", options->camera, "Camera file, if the folder has none");
+  command->add_option("--debug-images", options->debug_images,
+                      "Folder for pictures of the keypoints and quadtree cells of each frame");
+  CLI::Option* markdown = command->add_flag("--markdown", options->markdown, "Print a Markdown table");
+  command->add_flag("--json", options->json, "Print JSON")->excludes(markdown);
+  command->add_flag("--quiet", options->quiet, "No progress");
+  command->footer(R"(
+Table 2 of the paper for any sequence: for each selection the numbers of keypoints of high (H) and low (L)
+quality, all of them (T), and the uniformity of their distribution (U = 101 log10 of the variance of the counts
+in ten regions; larger is less even).
+
+Examples:
+  stdc-slam features rgbd_dataset_freiburg1_desk --frames 1,60,303,482,512
+  stdc-slam features my-room --keypoints 1000 --json > features.json
+  stdc-slam features my-room --frames 20 --debug-images pictures)");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace stdc::app

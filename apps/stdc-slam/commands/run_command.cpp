@@ -1,0 +1,78 @@
+// stdc-slam run: a sequence in, a trajectory and its scores out.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands/commands.hpp"
+#include "core/error.hpp"
+#include "run/run_sequence.hpp"
+
+namespace stdc::app {
+namespace {
+
+constexpr const char* kFooter = R"(
+SEQUENCE is a folder in TUM RGB-D layout: rgb.txt and depth.txt with "timestamp filename" lines, images as PNG
+or JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. The camera is taken from camera.yaml in the folder,
+else from --camera, else from the folder's name where that holds freiburg1, freiburg2 or freiburg3.
+
+Written to the output folder, all at the end or nothing:
+  trajectory.txt  "timestamp tx ty tz qx qy qz qw" of every frame that has a pose; world = first camera of the
+                  map. Where tracking was lost for good another map was started: then those of the map that
+                  holds most of them
+  trajectory-map-N.txt  the frames of each other map that was not joined to it, in coordinates of its own
+  keyframes.txt   the same as trajectory.txt of the keyframes
+  frames.csv      status, map at the time, keypoints, matches, inliers, milliseconds per stage and loops of
+                  every frame
+  summary.json    coverage (share of the frames that are in trajectory.txt), maps, loops, times, memory, scores,
+                  camera, settings, version
+
+A map saved by --save-map holds all maps of the run. --load-map goes on with it: once a mapped place is seen
+again, poses are in its coordinates. With --localisation-only nothing is added to it.
+
+Examples:
+  stdc-slam run rgbd_dataset_freiburg1_xyz --output results
+  stdc-slam run my-sequence --camera my-camera.yaml --output results --frames 100:400
+  stdc-slam run my-sequence --output results --set features.keypoints=2000 --selection orb-slam3
+  stdc-slam run my-sequence --output results --realtime --set segmentation.pace=asynchronous
+  stdc-slam run empty-room --output results --segmentation off
+  stdc-slam run my-sequence --output results --save-map office.map
+  stdc-slam run second-visit --output results --load-map office.map --save-map office.map
+  stdc-slam run third-visit --output results --load-map office.map --localisation-only
+  stdc-slam run my-sequence --output results --debug-images pictures --debug-every 30)";
+
+void add_options(CLI::App& command, RunOptions& options) {
+  command.add_option("SEQUENCE", options.sequence, "Folder in TUM RGB-D layout")->required();
+  command.add_option("--output,-o", options.output, "Folder for the results; made if need be")->required();
+  command.add_option("--camera", options.camera, "Camera file, if the sequence has none");
+  add_settings_options(command, options.settings);
+  add_segmentation_options(command, options.segmentation);
+  command.add_option("--load-map", options.load_map, "Map of an earlier run to start from");
+  command.add_option("--save-map", options.save_map, "File for the map; written when all went well");
+  command.add_flag("--localisation-only", options.localisation_only,
+                   "Only find the camera in the loaded map, and leave that as it is");
+  command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
+  command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
+  command
+      .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
+      ->capture_default_str();
+  command.add_flag("--realtime", options.realtime,
+                   "Give frames out at the pace of their timestamps, and tell how long each took from there");
+  command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
+  command.footer(kFooter);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Find the camera's way through an RGB-D sequence");
+  add_options(*command, *options);
+  command->callback([options] {
+    if (options->debug_every < 1) {
+      throw Error("--debug-every", fmt::format("{} is less than 1", options->debug_every), "give 1 or more");
+    }
+    run_sequence(*options);
+  });
+}
+
+}  // namespace stdc::app

@@ -1,0 +1,196 @@
+// stdc-slam segment: masks of people and other dynamic classes, for images or a sequence.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <string>
+
+#include "commands/commands.hpp"
+#include "commands/segment_images.hpp"
+#include "core/error.hpp"
+#include "core/image_codec.hpp"
+#include "core/stopwatch.hpp"
+#include "report/segment_report.hpp"
+#include "run/interrupt_watch.hpp"
+#include "run/output_folder.hpp"
+#include "run/progress.hpp"
+#include "segmentation/network/network_segmenter.hpp"
+#include "segmentation/network/weights_segmenter.hpp"
+
+namespace stdc::app {
+namespace {
+
+struct Options {
+  std::string input, output, frames, size, truth_kind = "masks";
+  std::optional<std::string> weights, truth;
+  int threads = 1;
+  bool int8 = false, fp32 = false, no_overlays = false, quiet = false;
+};
+
+/// "512x384" as a size.
+cv::Size parse_size(const std::string& text) {
+  const auto number = [](std::string_view word) {
+    int value = 0;
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return fault == std::errc() && end == word.data() + word.size() ? value : 0;
+  };
+  const std::size_t cross = text.find('x');
+  const std::string_view view = text;
+  const cv::Size size(number(view.substr(0, cross)),
+                      cross == std::string::npos ? 0 : number(view.substr(cross + 1)));
+  if (size.width > 0 && size.height > 0) return size;
+  throw Error("--size", fmt::format("'{}' is not of the form WxH", text), "give for instance 512x384");
+}
+
+NetworkSettings network_settings(const Options& options) {
+  NetworkSettings settings;
+  settings.threads = options.threads;
+  if (options.int8) settings.precision = NetworkPrecision::int8;
+  if (options.fp32) settings.precision = NetworkPrecision::fp32;
+  if (!options.size.empty()) {
+    const cv::Size size = parse_size(options.size);
+    settings.input_width = size.width, settings.input_height = size.height;
+  }
+  check_ranges("network", settings);
+  return settings;
+}
+
+TruthKind truth_kind(const Options& options) {
+  if (options.truth_kind == "masks") return TruthKind::masks;
+  if (options.truth_kind == "labels") return TruthKind::labels;
+  throw Error("--truth", fmt::format("'{}' is not known", options.truth_kind), "give masks or labels");
+}
+
+/// The image with the mask in red and its outline in white.
+cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask) {
+  cv::Mat picture = image;
+  if (image.channels() == 1) cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
+  cv::Mat tinted, inner;
+  cv::addWeighted(picture, 0.5, cv::Mat(picture.size(), CV_8UC3, cv::Scalar(40, 30, 230)), 0.5, 0, tinted);
+  cv::Mat result = picture.clone();
+  tinted.copyTo(result, mask);
+  cv::erode(mask, inner, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}), {-1, -1}, 1, cv::BORDER_CONSTANT,
+            cv::Scalar(255));
+  result.setTo(cv::Scalar(255, 255, 255), mask & ~inner);
+  return result;
+}
+
+/// Segments one image, writes the results and tells about it.
+SegmentedImage segment_image(const Options& options, const SegmentImage& image, int frame,
+                             Segmenter& segmenter, OutputFolder& output) {
+  const cv::Mat colour = load_segment_image(image.path);
+  SegmentedImage result;
+  result.name = image.name;
+  Stopwatch watch;
+  const double cpu_before = thread_cpu_ms();
+  const cv::Mat mask = segmenter.segment({colour, image.timestamp.value_or(0), frame});
+  result.cpu_ms = thread_cpu_ms() - cpu_before;
+  result.wall_ms = watch.lap_ms();
+  result.dynamic_share = cv::countNonZero(mask) / static_cast<double>(mask.total());
+  output.write(image.name + ".png", encode_png(mask, PngEffort::fast));
+  if (!options.no_overlays) {
+    output.write(image.name + "-overlay.jpg", encode_jpeg(draw_overlay(colour, mask)));
+  }
+  if (options.truth) {
+    const auto truth = load_truth(*options.truth, image, mask.size(), truth_kind(options));
+    if (truth) result.counts = count_mask(mask, truth->mask, truth->ignore);
+  }
+  return result;
+}
+
+/// Which mask belongs to which time, as `run --masks` reads it; empty for images that have no time.
+std::string mask_list(const std::vector<SegmentImage>& images) {
+  std::string text;
+  for (const SegmentImage& image : images) {
+    if (image.timestamp) text += fmt::format("{:.6f} {}.png\n", *image.timestamp, image.name);
+  }
+  return text;
+}
+
+void segment(const Options& options) {
+  const InterruptWatch interrupts;
+  cv::setNumThreads(1);  // as in `run`
+  const std::vector<SegmentImage> images = list_segment_images(options.input, options.frames);
+  truth_kind(options);
+  const auto segmenter = make_weights_segmenter(options.weights.value_or(""), network_settings(options));
+  OutputFolder output(options.output);
+  std::vector<SegmentedImage> results;
+  Progress progress("segmenting", "images", static_cast<int>(images.size()), options.quiet);
+  for (const SegmentImage& image : images) {
+    if (interrupts.interrupted()) {
+      throw Error(
+          "interrupted",
+          fmt::format("stopped after {} of {} images, nothing was written", results.size(), images.size()),
+          "start again, perhaps with fewer --frames");
+    }
+    results.push_back(segment_image(options, image, static_cast<int>(results.size()), *segmenter, output));
+    progress.update(static_cast<int>(results.size()));
+  }
+  progress.finish();
+  const bool scored = std::any_of(results.begin(), results.end(),
+                                  [](const SegmentedImage& result) { return result.counts.has_value(); });
+  if (options.truth && !scored) {
+    throw Error(*options.truth, "has no mask for any of the images",
+                "give a folder of PNGs named like the images");
+  }
+  output.write("segments.csv", segments_csv(results));
+  if (const std::string masks = mask_list(images); !masks.empty()) output.write("mask.txt", masks);
+  output.commit();
+  if (options.quiet) return;
+  if (const auto* network = dynamic_cast<const NetworkSegmenter*>(segmenter.get())) {
+    fmt::print("network     {}\n", network->description());
+  }
+  fmt::print("{}results: {}\n", segment_summary(results), options.output);
+}
+
+constexpr const char* kFooter = R"(
+INPUT is an image, a folder of images (PNG, JPEG), or a sequence in TUM RGB-D layout. Written to the output
+folder, all at the end or nothing:
+  NAME.png          mask of the image NAME.*: 255 = dynamic, else 0; `run --masks` takes the folder as it is
+  NAME-overlay.jpg  the image with the mask drawn over it
+  mask.txt          of a sequence: the time of each mask
+  segments.csv      share of dynamic pixels, milliseconds and scores of every image
+
+Scores: IoU, precision and recall of the dynamic pixels; boundary F: how well the outlines agree (within 0.8 %
+of the diagonal). The mean is over images where a score is defined; 'all pixels' counts all images as one.
+
+Examples:
+  stdc-slam segment photo.jpg --output masks
+  stdc-slam segment rgbd_dataset_freiburg3_walking_xyz --output masks --frames 0:300 --int8
+  stdc-slam segment my-walk --output masks --score my-walk/mask
+  stdc-slam segment people/image --output masks --score people/label --truth labels --weights my.safetensors)";
+
+}  // namespace
+
+void add_segment_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("segment", "Find people and other dynamic things in images");
+  command->add_option("INPUT", options->input, "Image, folder of images, or sequence")->required();
+  command->add_option("--output,-o", options->output, "Folder for the results; made if need be")->required();
+  command->add_option("--weights", options->weights,
+                      "Weights of the network (.safetensors), or an ONNX model; default: those that ship");
+  CLI::Option* int8 = command->add_flag("--int8", options->int8,
+                                        "Compute in 8 bits (default if the weights are calibrated for it)");
+  command->add_flag("--fp32", options->fp32, "Compute in 32-bit floating point")->excludes(int8);
+  command->add_option("--frames", options->frames, "Only images A to B-1, counted from 0")->type_name("A:B");
+  command
+      ->add_option("--size", options->size,
+                   "Size of the network's input, multiples of 32; default: as the weights say")
+      ->type_name("WxH");
+  command->add_option("--threads", options->threads, "Threads of inference")->capture_default_str();
+  command->add_option("--score", options->truth, "Folder of true masks to compare with")->type_name("FOLDER");
+  command
+      ->add_option("--truth", options->truth_kind,
+                   "What the true masks hold: masks (128 and above = dynamic) or labels (255 = in doubt)")
+      ->type_name("masks|labels")
+      ->capture_default_str();
+  command->add_flag("--no-overlays", options->no_overlays, "Write masks only");
+  command->add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
+  command->footer(kFooter);
+  command->callback([options] { segment(*options); });
+}
+
+}  // namespace stdc::app

@@ -1,0 +1,46 @@
+#include "commands/segmentation_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "slam/make_segmenter.hpp"
+#include "slam/settings_io.hpp"
+
+namespace stdc::app {
+
+void add_segmentation_options(CLI::App& command, SegmentationOptions& options) {
+  command
+      .add_option("--segmentation", options.source,
+                  "Where masks of people come from: off, network, or masks (files)")
+      ->type_name("off|network|masks");
+  command.add_option(
+      "--masks", options.masks,
+      "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
+      "in the sequence");
+  command.add_option("--weights", options.weights, "Weights of the network; default: those that ship");
+  command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
+      ->type_name("on|off");
+}
+
+void apply_segmentation_options(const SegmentationOptions& options, Settings& settings) {
+  std::string source = options.source;
+  // Whoever names masks or weights wants them used.
+  if (source.empty() && options.masks) source = "masks";
+  if (source.empty() && options.weights) source = "network";
+  if (!source.empty()) apply_setting("segmentation.source=" + source, settings);
+  if (!options.refinement.empty()) apply_setting("segmentation.refinement=" + options.refinement, settings);
+}
+
+ColourMode colour_mode(const Settings& settings) {
+  return settings.segmentation.source == SegmentationSource::network ? ColourMode::as_stored
+                                                                     : ColourMode::grey;
+}
+
+std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
+                                            const std::string& sequence) {
+  const std::filesystem::path masks =
+      options.masks ? std::filesystem::path(*options.masks) : std::filesystem::path(sequence) / "mask";
+  return make_segmenter(settings, {options.weights.value_or(""), masks});
+}
+
+}  // namespace stdc::app

@@ -1,0 +1,35 @@
+#include "commands/settings_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "commands/builtin_settings.hpp"
+#include "slam/settings_io.hpp"
+
+namespace stdc::app {
+
+void add_settings_options(CLI::App& command, SettingsOptions& options) {
+  command.add_option(
+      "--settings", options.file,
+      "YAML file with settings (see: stdc-slam settings --yaml), or the name of one that ships: os3, os3-q, "
+      "os3-s, os3-s-srm, os3-s-srm-q");
+  command.add_option("--selection", options.selection, "Keypoint selection: improved or orb-slam3");
+  command.add_option("--set", options.assignments, "Change one setting: section.key=value; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+Settings chosen_settings(const SettingsOptions& options, const SegmentationOptions& segmentation) {
+  Settings settings;
+  if (const BuiltinSettings* builtin = find_builtin_settings(options.file)) {
+    parse_settings(std::string(builtin->yaml), options.file, settings);
+  } else if (!options.file.empty()) {
+    read_settings(options.file, settings);
+  }
+  if (!options.selection.empty()) apply_setting("features.selection=" + options.selection, settings);
+  apply_segmentation_options(segmentation, settings);
+  for (const std::string& assignment : options.assignments) apply_setting(assignment, settings);
+  settings.validate();
+  return settings;
+}
+
+}  // namespace stdc::app

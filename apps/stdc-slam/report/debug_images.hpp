@@ -1,0 +1,49 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "features/extractor.hpp"
+#include "input/trajectory.hpp"
+#include "run/output_folder.hpp"
+#include "slam/slam.hpp"
+
+namespace stdc::app {
+
+/// What the top view shows.
+struct TopView {
+  Trajectory estimate, keyframes;          ///< in the world of the estimate
+  std::vector<Eigen::Vector3d> landmarks;  ///< [m], in the same world
+  Trajectory truth;                        ///< empty: there is none
+  std::optional<Pose> truth_from_estimate;
+};
+
+/// Draws the way of the camera from above: the estimate coloured by its distance from the truth, keyframes,
+/// landmarks, axes in metres and a legend. With a truth that is aligned its x-y plane is drawn (TUM's z
+/// points up), else the x-z plane of the first camera. BGR, 1600 x 1200 px.
+cv::Mat draw_top_view(const TopView& view);
+
+/// Draws keypoints over the image in grey, twice its size: the colour says inlier, outlier or unmatched, a
+/// filled disc is of high quality and a ring of low quality. What is dynamic is tinted.
+cv::Mat draw_keypoints(const cv::Mat& colour, int frame, const TrackingResult& result);
+/// Draws the quadtree cells of one level with the keypoints that were chosen from them.
+cv::Mat draw_cells(const cv::Mat& colour, const cv::Mat& dynamic_mask, int frame,
+                   const FeatureSettings& settings);
+
+/// The pictures of --debug-images, all written at the end like other results.
+class DebugImages {
+ public:
+  /// @param every  draws every n-th frame, and the lost ones
+  DebugImages(const std::filesystem::path& folder, int every, const FeatureSettings& settings);
+  /// `colour`: CV_8UC1 or CV_8UC3. `result` must have its keypoints.
+  void add_frame(const cv::Mat& colour, int frame, const TrackingResult& result);
+  void add_top_view(const TopView& view);
+  void commit();
+
+ private:
+  OutputFolder folder_;
+  int every_;
+  FeatureSettings settings_;
+};
+
+}  // namespace stdc::app

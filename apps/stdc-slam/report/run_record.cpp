@@ -1,0 +1,214 @@
+#include "report/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace stdc::app {
+namespace {
+
+struct Stage {
+  const char* name;
+  double StageTimes::*time;
+};
+
+constexpr std::array kStages{
+    Stage{"extraction", &StageTimes::extraction},
+    Stage{"mask_wait", &StageTimes::mask_wait},
+    Stage{"rejection", &StageTimes::rejection},
+    Stage{"prediction", &StageTimes::prediction},
+    Stage{"local_map", &StageTimes::local_map},
+    Stage{"keyframe", &StageTimes::keyframe},
+    Stage{"wait", &StageTimes::wait},
+    Stage{"total", &StageTimes::total},
+    Stage{"total_cpu", &StageTimes::total_cpu},
+};
+
+bool processed(const TrackingResult& result) { return result.status != TrackingStatus::skipped; }
+
+/// Where nothing was segmented, nothing stands.
+std::string segmentation_columns(const std::optional<SegmentationReport>& report) {
+  if (!report) return ",,,,,";
+  std::string text = ",,";
+  if (report->mask_age >= 0) text = fmt::format(",{:.4f},{}", report->dynamic_share, report->mask_age);
+  text += report->segmentation_ms ? fmt::format(",{:.3f}", *report->segmentation_ms) : ",";
+  return text + fmt::format(",{:.3f},{:.3f}", report->propagation_ms, report->refinement_ms);
+}
+
+std::string loop_columns(const std::optional<LoopReport>& loop) {
+  if (!loop) return ",,\n";
+  return fmt::format(",{},{:.3f}\n", loop->merged ? "merge" : "loop",
+                     loop->detection_ms + loop->correction_ms);
+}
+
+std::string csv_row(const TrackingResult& r) {
+  std::string row = fmt::format("{},{:.6f},{},{},{},{},{},{},{}", r.frame, r.timestamp, status_name(r.status),
+                                r.map >= 0 ? std::to_string(r.map) : "", r.keypoints_high, r.keypoints_low,
+                                r.matches, r.inliers, r.is_keyframe ? 1 : 0);
+  for (const Stage& stage : kStages) {
+    fmt::format_to(std::back_inserter(row), ",{:.3f}", r.milliseconds.*stage.time);
+  }
+  row += segmentation_columns(r.segmentation);
+  if (r.mapping) {
+    fmt::format_to(std::back_inserter(row), ",{:.3f},{:.3f},{},{},{},{:.3f}", r.mapping->total_ms,
+                   r.mapping->bundle_adjustment_ms, r.mapping->bundle_keyframes, r.mapping->bundle_landmarks,
+                   r.mapping->bundle_observations, r.mapping->place_recognition_ms);
+  } else {
+    row += ",,,,,,";
+  }
+  return row + loop_columns(r.loop);
+}
+
+}  // namespace
+
+const char* status_name(TrackingStatus status) {
+  switch (status) {
+    case TrackingStatus::initialising:
+      return "initialising";
+    case TrackingStatus::ok:
+      return "ok";
+    case TrackingStatus::lost:
+      return "lost";
+    case TrackingStatus::skipped:
+      return "skipped";
+  }
+  return "?";
+}
+
+void RunRecord::add(const TrackingResult& result, std::optional<double> lag_ms) {
+  if (lag_ms) lags_.push_back(*lag_ms);
+  results_.push_back(result);
+  loops_.add(result);
+  results_.back().keypoints = {};
+  results_.back().keypoint_states = {};
+  results_.back().dynamic_mask.release();
+  switch (result.status) {
+    case TrackingStatus::initialising:
+      ++counts_.initialising;
+      break;
+    case TrackingStatus::ok:
+      ++counts_.ok;
+      break;
+    case TrackingStatus::lost:
+      ++counts_.lost;
+      break;
+    case TrackingStatus::skipped:
+      ++counts_.skipped;
+      break;
+  }
+}
+
+std::string RunRecord::frames_csv() const {
+  std::string text = "frame,timestamp,status,map,keypoints_high,keypoints_low,matches,inliers,is_keyframe";
+  for (const Stage& stage : kStages) text += fmt::format(",{}_ms", stage.name);
+  text += ",dynamic_share,mask_age,segmentation_ms,propagation_ms,refinement_ms";
+  text += ",mapping_ms,bundle_adjustment_ms,bundle_keyframes,bundle_landmarks,bundle_observations";
+  text += ",place_recognition_ms,loop,loop_ms\n";
+  for (const TrackingResult& result : results_) text += csv_row(result);
+  return text;
+}
+
+nlohmann::ordered_json RunRecord::stage_milliseconds() const {
+  nlohmann::ordered_json stages;
+  for (const Stage& one : kStages) stages[one.name] = to_json(stage(one.time));
+  return stages;
+}
+
+nlohmann::ordered_json RunRecord::mapping() const {
+  std::vector<double> totals, bundles, keyframes, landmarks, observations;
+  for (const TrackingResult& result : results_) {
+    if (!result.mapping) continue;
+    totals.push_back(result.mapping->total_ms);
+    bundles.push_back(result.mapping->bundle_adjustment_ms);
+    keyframes.push_back(result.mapping->bundle_keyframes);
+    landmarks.push_back(result.mapping->bundle_landmarks);
+    observations.push_back(result.mapping->bundle_observations);
+  }
+  return {{"keyframes_mapped", totals.size()},
+          {"total_ms", to_json(quantiles(totals))},
+          {"bundle_adjustment_ms", to_json(quantiles(bundles))},
+          {"bundle_keyframes", to_json(quantiles(keyframes))},
+          {"bundle_landmarks", to_json(quantiles(landmarks))},
+          {"bundle_observations", to_json(quantiles(observations))}};
+}
+
+std::vector<FramePose> RunRecord::tracked_poses() const {
+  std::vector<FramePose> poses;
+  for (const TrackingResult& result : results_) {
+    if (!result.cam_from_world) continue;
+    poses.push_back({result.frame, result.timestamp, result.cam_from_world->inverse(), result.map});
+  }
+  return poses;
+}
+
+namespace {
+
+/// The lists of what the reports say.
+struct SegmentationLists {
+  explicit SegmentationLists(const std::vector<TrackingResult>& results) {
+    for (const TrackingResult& result : results) {
+      if (!result.segmentation) continue;
+      const SegmentationReport& report = *result.segmentation;
+      there = true;
+      if (report.segmentation_ms) segmentation.push_back(*report.segmentation_ms);
+      propagation.push_back(report.propagation_ms);
+      refinement.push_back(report.refinement_ms);
+      if (report.mask_age < 0) {
+        ++without_mask;
+        continue;
+      }
+      ages.push_back(report.mask_age);
+      shares.push_back(report.dynamic_share);
+    }
+  }
+  std::vector<double> segmentation, propagation, refinement, ages, shares;
+  int without_mask = 0;
+  bool there = false;
+};
+
+}  // namespace
+
+nlohmann::ordered_json RunRecord::segmentation() const {
+  const SegmentationLists lists(results_);
+  if (!lists.there) return nullptr;
+  return {{"segmented_frames", lists.segmentation.size()},
+          {"frames_without_mask", lists.without_mask},
+          {"segmentation_ms", to_json(quantiles(lists.segmentation))},
+          {"propagation_ms", to_json(quantiles(lists.propagation))},
+          {"refinement_ms", to_json(quantiles(lists.refinement))},
+          {"mask_age_frames", to_json(quantiles(lists.ages))},
+          {"dynamic_share", to_json(quantiles(lists.shares))}};
+}
+
+std::string RunRecord::segmentation_text() const {
+  std::string text;
+  const SegmentationLists lists(results_);
+  if (lists.there) {
+    const Quantiles time = quantiles(lists.segmentation), share = quantiles(lists.shares);
+    text = fmt::format(
+        "segmentation {:.1f} ms a mask (median; 95 %: {:.1f}), masks {:.0f} frames old (median), dynamic "
+        "{:.0f} "
+        "% of the view (median; 95 %: {:.0f})\n",
+        time.median, time.p95, quantiles(lists.ages).median, 100 * share.median, 100 * share.p95);
+    if (lists.without_mask > 0) text += fmt::format("{} frames had no mask\n", lists.without_mask);
+  }
+  if (!lags_.empty()) {
+    const Quantiles lag = quantiles(lags_);
+    text += fmt::format("in real time: {:.1f} ms from image to pose (median; 95 %: {:.1f}, 99 %: {:.1f})\n",
+                        lag.median, lag.p95, lag.p99);
+  }
+  return text;
+}
+
+Quantiles RunRecord::stage(double StageTimes::*time) const {
+  std::vector<double> times;
+  for (const TrackingResult& result : results_) {
+    if (processed(result)) times.push_back(result.milliseconds.*time);
+  }
+  return quantiles(std::move(times));
+}
+
+}  // namespace stdc::app

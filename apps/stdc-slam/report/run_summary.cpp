@@ -1,0 +1,108 @@
+#include "report/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "report/camera_json.hpp"
+#include "report/score_report.hpp"
+
+namespace stdc::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A setting's or camera's value: enums by their words, all else as JSON has it.
+template <typename T>
+Json value_to_json(const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return std::string(enum_name(value));
+  } else {
+    return value;
+  }
+}
+
+Json settings_to_json(const Settings& settings) {
+  Json all;
+  Settings::describe(settings, [&](const char* name, const auto& section) {
+    Json& entries = all[name];
+    std::decay_t<decltype(section)>::describe(section, [&](const Setting& setting, const auto& value) {
+      entries[setting.name] = value_to_json(value);
+    });
+  });
+  return all;
+}
+
+double coverage(const RunSummary& summary, const RunRecord& record) {
+  return static_cast<double>(summary.poses) / std::max(1, record.counts().total());
+}
+
+double frames_per_second(const RunRecord& record) {
+  return record.counts().total() / std::max(record.processing_seconds(), 1e-3);
+}
+
+}  // namespace
+
+std::string summary_json(const RunSummary& summary, const RunRecord& record, const Settings& settings) {
+  const StatusCounts& counts = record.counts();
+  Json json = {
+      {"version", STDC_VERSION},
+      {"sequence", summary.sequence},
+      {"first_frame", summary.first_frame},
+      {"frames",
+       {{"total", counts.total()},
+        {"ok", counts.ok},
+        {"lost", counts.lost},
+        {"initialising", counts.initialising},
+        {"skipped", counts.skipped},
+        {"colour_without_depth", summary.colour_without_depth}}},
+      {"coverage", coverage(summary, record)},
+      {"maps", summary.maps},
+      {"loops", record.loops().loops()},
+      {"merges", record.loops().merges()},
+      {"keyframes", summary.keyframes},
+      {"landmarks", summary.landmarks},
+      {"start_up_seconds", record.start_up_seconds()},
+      {"processing_seconds", record.processing_seconds()},
+      {"frames_per_second", frames_per_second(record)},
+      {"cpu_seconds", summary.usage.cpu_seconds},
+      {"peak_memory_mb", summary.usage.peak_memory_mb},
+      {"stage_milliseconds", record.stage_milliseconds()},
+      {"mapping", record.mapping()},
+      {"loop_closing", record.loops().to_json()},
+      {"segmentation", record.segmentation()},
+  };
+  if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
+  if (summary.scores) json["scores"] = scores_to_json(*summary.scores);
+  if (!summary.not_scored.empty()) json["not_scored"] = summary.not_scored;
+  json["camera"] = camera_to_json(summary.camera);
+  json["settings"] = settings_to_json(settings);
+  return json.dump(2) + "\n";
+}
+
+std::string summary_text(const RunSummary& summary, const RunRecord& record) {
+  const StatusCounts& counts = record.counts();
+  const Quantiles tracking = record.stage(&StageTimes::total), cpu = record.stage(&StageTimes::total_cpu);
+  std::string text = fmt::format("{}: {} frames, {} with a pose ({:.1f} %)", summary.sequence, counts.total(),
+                                 summary.poses, 100 * coverage(summary, record));
+  if (summary.poses_elsewhere > 0) text += fmt::format(", {} in other maps", summary.poses_elsewhere);
+  if (counts.lost > 0) text += fmt::format(", {} lost", counts.lost);
+  if (counts.initialising > 0) text += fmt::format(", {} initialising", counts.initialising);
+  if (counts.skipped > 0) text += fmt::format(", {} skipped", counts.skipped);
+  text += fmt::format("; {} keyframes, {} landmarks\n", summary.keyframes, summary.landmarks);
+  text += fmt::format(
+      "{:.1f} frames a second; tracking {:.1f} ms a frame (median; 95 %: {:.1f}, 99 %: {:.1f}; CPU: "
+      "{:.1f})\n",
+      frames_per_second(record), tracking.median, tracking.p95, tracking.p99, cpu.median);
+  if (summary.maps > 1) text += fmt::format("{} maps that were not joined\n", summary.maps);
+  text += record.loops().text();
+  text += record.segmentation_text();
+  text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
+                      summary.usage.cpu_seconds, summary.usage.peak_memory_mb, record.start_up_seconds());
+  if (summary.scores) text.append("\n").append(format_scores(*summary.scores));
+  if (!summary.not_scored.empty()) text += fmt::format("not scored: {}\n", summary.not_scored);
+  return text;
+}
+
+}  // namespace stdc::app

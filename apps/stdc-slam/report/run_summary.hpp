@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "evaluation/trajectory_error.hpp"
+#include "report/run_record.hpp"
+#include "run/process_usage.hpp"
+#include "slam/settings.hpp"
+
+namespace stdc::app {
+
+/// Everything that a finished run tells about itself.
+struct RunSummary {
+  std::string sequence;
+  std::string camera;  ///< its text, as in camera.yaml
+  int first_frame = 0;
+  int colour_without_depth = 0;
+  int poses = 0;            ///< frames that have one in the map of trajectory.txt
+  int poses_elsewhere = 0;  ///< and in other maps
+  int maps = 0, keyframes = 0, landmarks = 0;
+  ProcessUsage usage;
+  std::optional<TrajectoryScores> scores;
+  std::string not_scored;  ///< why there are no scores though there is a ground truth
+};
+
+/// summary.json.
+std::string summary_json(const RunSummary& summary, const RunRecord& record, const Settings& settings);
+/// A few lines for the terminal.
+std::string summary_text(const RunSummary& summary, const RunRecord& record);
+
+}  // namespace stdc::app

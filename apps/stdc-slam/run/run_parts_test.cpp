@@ -1,0 +1,158 @@
+// The small parts of the run command.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "run/frame_loader.hpp"
+#include "run/frame_range.hpp"
+#include "run/interrupt_watch.hpp"
+#include "run/output_folder.hpp"
+#include "run/process_usage.hpp"
+#include "run/sequence_input.hpp"
+#include "run/test_sequence.hpp"
+
+namespace stdc::app {
+namespace {
+
+namespace fs = std::filesystem;
+using stdc::test::message_of;
+using stdc::test::TestFolder;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(ParseFrameRange, TakesEitherEnd) {
+  EXPECT_EQ(parse_frame_range("", 10), std::pair(0, 10));
+  EXPECT_EQ(parse_frame_range("2:5", 10), std::pair(2, 5));
+  EXPECT_EQ(parse_frame_range(":5", 10), std::pair(0, 5));
+  EXPECT_EQ(parse_frame_range("7:", 10), std::pair(7, 10));
+  EXPECT_EQ(parse_frame_range(":", 10), std::pair(0, 10));
+}
+
+TEST(ParseFrameRange, RefusesTheRest) {
+  for (const char* text : {"3", "a:b", "3:x", "-1:4", "1:2:3", "5:5", "6:5", "0:11", "10:", "1.5:3"}) {
+    EXPECT_NE(message_of([&] { parse_frame_range(text, 10); }).find("--frames: "), std::string::npos) << text;
+  }
+}
+
+TEST(OutputFolder, ShowsAllAtTheEnd) {
+  const TestFolder folder;
+  const fs::path path = folder / "a/b/";
+  OutputFolder output(path);
+  output.write("one.txt", "1");
+  output.write("two.txt", "22");
+  EXPECT_FALSE(fs::exists(path / "one.txt"));
+  output.commit();
+  EXPECT_EQ(content(path / "one.txt"), "1");
+  EXPECT_EQ(content(path / "two.txt"), "22");
+  EXPECT_EQ(entries(path), 2U);
+}
+
+TEST(OutputFolder, LeavesNothingWithoutCommit) {
+  const TestFolder folder;
+  {
+    OutputFolder output(folder / "a/b");
+    output.write("one.txt", "1");
+  }
+  EXPECT_EQ(entries(folder.path()), 0U);
+}
+
+TEST(OutputFolder, KeepsWhatWasThere) {
+  const TestFolder folder;
+  folder.write("out/one.txt", std::string("old"));
+  folder.write("out/mine.txt", std::string("mine"));
+  {
+    OutputFolder output(folder / "out");
+    output.write("one.txt", "new");
+    EXPECT_EQ(content(folder / "out/one.txt"), "old");
+  }
+  EXPECT_EQ(content(folder / "out/one.txt"), "old");
+  EXPECT_EQ(entries(folder / "out"), 2U);
+  OutputFolder output(folder / "out");
+  output.write("one.txt", "new");
+  output.commit();
+  EXPECT_EQ(content(folder / "out/one.txt"), "new");
+  EXPECT_EQ(content(folder / "out/mine.txt"), "mine");
+}
+
+TEST(OutputFolder, DropsWhatAnOlderRunHadMoreOf) {
+  const TestFolder folder;
+  for (const char* name : {"map-1.txt", "map-2.txt", "map-.txt", "map-2b.txt", "map-3.csv", "my-map-1.txt"}) {
+    folder.write(std::string("out/") + name, std::string("old"));
+  }
+  OutputFolder output(folder / "out");
+  output.write("map-1.txt", "new");
+  output.drop_older("map-");
+  EXPECT_TRUE(fs::exists(folder / "out/map-2.txt"));
+  output.commit();
+  EXPECT_EQ(content(folder / "out/map-1.txt"), "new");
+  EXPECT_FALSE(fs::exists(folder / "out/map-2.txt"));
+  EXPECT_EQ(entries(folder / "out"), 5U) << "what has another name stays";
+}
+
+TEST(OutputFolder, NamesAnUnwritablePlace) {
+  const TestFolder folder;
+  folder.write("file", std::string("x"));
+  EXPECT_NE(message_of([&] { OutputFolder(folder / "file"); }).find("is not a folder"), std::string::npos);
+  EXPECT_NE(message_of([&] { OutputFolder(folder / "file/out"); }).find("cannot be made"), std::string::npos);
+  EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(FrameLoader, GivesAllFramesInOrder) {
+  const TestFolder folder;
+  stdc::test::write_test_sequence(folder, "s", 12);
+  fs::resize_file(folder / "s/rgb/4.png", 50);
+  const TumSequence sequence(folder / "s");
+  FrameLoader loader(sequence.frames(), stdc::test::test_camera(), ColourMode::grey, 2);
+  for (int i = 0; i < 12; ++i) {
+    const auto frame = loader.next();
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->index, i);
+    EXPECT_EQ(frame->timestamp, sequence.frames()[static_cast<std::size_t>(i)].timestamp);
+    EXPECT_EQ(frame->image.has_value(), i != 4);
+    EXPECT_EQ(frame->error.has_value(), i == 4);
+  }
+  EXPECT_FALSE(loader.next());
+  EXPECT_FALSE(loader.next());
+}
+
+TEST(FrameLoader, CanBeLeftEarly) {
+  const TestFolder folder;
+  stdc::test::write_test_sequence(folder, "s", 6);
+  const TumSequence sequence(folder / "s");
+  FrameLoader untouched(sequence.frames(), stdc::test::test_camera(), ColourMode::as_stored);
+  FrameLoader loader(sequence.frames(), stdc::test::test_camera(), ColourMode::as_stored);
+  EXPECT_TRUE(loader.next());
+}
+
+TEST(InterruptWatch, HoldsTheSignalBack) {
+  const InterruptWatch watch;
+  EXPECT_FALSE(watch.interrupted());
+  raise(SIGTERM);  // to this thread: others, started by earlier tests, do not hold it back
+  EXPECT_TRUE(watch.interrupted());
+  sigset_t set;  // take it out again, or it would end the tests
+  sigemptyset(&set);
+  sigaddset(&set, SIGTERM);
+  int signal = 0;
+  sigwait(&set, &signal);
+  EXPECT_EQ(signal, SIGTERM);
+  EXPECT_FALSE(watch.interrupted());
+}
+
+TEST(ProcessUsage, IsPlausible) {
+  const ProcessUsage usage = process_usage();
+  EXPECT_GE(usage.wall_seconds, 0);
+  EXPECT_LT(usage.wall_seconds, 3600);
+  EXPECT_GE(usage.cpu_seconds, 0);
+  EXPECT_GT(usage.peak_memory_mb, 1);
+}
+
+}  // namespace
+}  // namespace stdc::app

@@ -1,0 +1,130 @@
+#include "run/run_sequence.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <opencv2/core/utility.hpp>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "input/camera_file.hpp"
+#include "report/debug_images.hpp"
+#include "report/run_record.hpp"
+#include "report/run_summary.hpp"
+#include "run/interrupt_watch.hpp"
+#include "run/output_folder.hpp"
+#include "run/run_trajectories.hpp"
+#include "run/sequence_input.hpp"
+#include "run/track_frames.hpp"
+#include "slam/slam.hpp"
+
+namespace stdc::app {
+namespace {
+
+/// Scores of a run; a run that cannot be scored is still a run.
+void score(const Trajectory& truth, const Trajectory& estimate, int frames, RunSummary& summary) {
+  constexpr double kMaxDifference = 0.02;  // [s]
+  try {
+    summary.scores = score_trajectory(truth, estimate, kMaxDifference, frames);
+  } catch (const Error& error) {
+    summary.not_scored = error.problem();
+  }
+}
+
+RunSummary summarise(const SequenceInput& input, const RunRecord& record, const Slam& slam,
+                     const RunTrajectories& trajectories) {
+  RunSummary summary;
+  summary.sequence = input.name;
+  summary.camera = format_camera(input.camera);
+  summary.first_frame = input.first_frame;
+  summary.colour_without_depth = input.sequence.colour_without_depth();
+  summary.poses = static_cast<int>(trajectories.frames.size());
+  for (const auto& [map, frames] : trajectories.others)
+    summary.poses_elsewhere += static_cast<int>(frames.size());
+  summary.maps = slam.maps();
+  summary.keyframes = slam.keyframes();
+  summary.landmarks = slam.landmarks();
+  if (input.truth) score(*input.truth, trajectories.frames, record.counts().total(), summary);
+  summary.usage = process_usage();
+  return summary;
+}
+
+void check_map_options(const RunOptions& options, const Settings& settings) {
+  if (settings.system.localisation_only && !options.load_map) {
+    throw Error("--localisation-only", "there is no map to find the camera in",
+                "give one by --load-map FILE");
+  }
+  if (settings.system.localisation_only && options.save_map) {
+    throw Error("--save-map", "with --localisation-only the map stays as it is", "leave out one of the two");
+  }
+}
+
+/// What would otherwise come to light at the end. The output folder, which may be the place, must be there.
+void check_place_for_map(const RunOptions& options) {
+  if (!options.save_map) return;
+  std::error_code failed;
+  if (std::filesystem::is_directory(*options.save_map, failed)) {
+    throw Error(options.save_map->string(), "is a folder", "give a file to --save-map");
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(*options.save_map, failed).parent_path();
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw Error(options.save_map->string(),
+                fmt::format("cannot be written ({})", std::generic_category().message(errno)),
+                "check that its folder exists and may be written to");
+  }
+}
+
+void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output) {
+  output.write("trajectory.txt", format_trajectory(trajectories.frames));
+  output.write("keyframes.txt", format_trajectory(trajectories.keyframes));
+  for (const auto& [map, frames] : trajectories.others) {
+    output.write(fmt::format("trajectory-map-{}.txt", map), format_trajectory(frames));
+  }
+  output.drop_older("trajectory-map-");
+}
+
+}  // namespace
+
+void run_sequence(const RunOptions& options) {
+  const InterruptWatch interrupts;
+  cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
+  Settings settings = chosen_settings(options.settings, options.segmentation);
+  settings.system.report_keypoints = options.debug_images.has_value();
+  settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
+  check_map_options(options, settings);
+  const SequenceInput input(options.sequence, options.camera, options.frames);
+  auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence.string());
+  OutputFolder output(options.output);
+  check_place_for_map(options);
+  std::optional<DebugImages> pictures;
+  if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
+
+  RunRecord record;
+  Slam slam(input.camera, settings, std::move(segmenter));
+  if (options.load_map) slam.load_map(*options.load_map);
+  track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
+               pictures ? &*pictures : nullptr);
+  const RunTrajectories trajectories =
+      by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
+             slam.keyframe_trajectory());
+  const RunSummary summary = summarise(input, record, slam, trajectories);
+  if (pictures) {
+    pictures->add_top_view(
+        {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
+         input.truth.value_or(Trajectory()),
+         summary.scores ? std::optional(summary.scores->truth_from_estimate) : std::nullopt});
+    pictures->commit();
+  }
+  write_trajectories(trajectories, output);
+  output.write("frames.csv", record.frames_csv());
+  output.write("summary.json", summary_json(summary, record, settings));
+  if (options.save_map) slam.save_map(*options.save_map);
+  output.commit();
+  if (options.quiet) return;
+  fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
+  if (options.save_map) fmt::print("map: {}\n", options.save_map->string());
+  if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());
+}
+
+}  // namespace stdc::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/camera.hpp"
+#include "input/layouts/tum_sequence.hpp"
+#include "input/trajectory.hpp"
+
+namespace stdc::app {
+
+/// A sequence made ready to run on.
+struct SequenceInput {
+  /// @param camera  camera file, if the sequence has none
+  /// @param range   "A:B", frames A..B-1; either may be missing
+  /// Throws Error for whatever is wrong with the lists, the camera or the range.
+  SequenceInput(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& camera,
+                const std::string& range);
+  SequenceInput(const SequenceInput&) = delete;
+  SequenceInput& operator=(const SequenceInput&) = delete;
+
+  TumSequence sequence;
+  std::string name;  ///< of the folder
+  Camera camera;
+  std::optional<Trajectory> truth;
+  int first_frame = 0;
+  std::span<const SequenceFrame> frames;  ///< the chosen ones, of `sequence`
+};
+
+}  // namespace stdc::app

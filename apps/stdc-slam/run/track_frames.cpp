@@ -1,0 +1,99 @@
+#include "run/track_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/error.hpp"
+#include "core/stopwatch.hpp"
+#include "run/frame_loader.hpp"
+#include "run/process_usage.hpp"
+#include "run/progress.hpp"
+
+namespace stdc::app {
+namespace {
+
+/// Reports what could not be used, the first faults each with a line.
+class FaultReport {
+ public:
+  explicit FaultReport(Progress& progress) : progress_(progress) {}
+  ~FaultReport() {
+    if (count_ > kMax) progress_.message(fmt::format("stdc-slam: {} more faults", count_ - kMax));
+  }
+  FaultReport(const FaultReport&) = delete;
+  FaultReport& operator=(const FaultReport&) = delete;
+
+  void add(int frame, const std::string& fault, const char* outcome) {
+    if (++count_ <= kMax) progress_.message(fmt::format("stdc-slam: {}; frame {} {}", fault, frame, outcome));
+  }
+
+ private:
+  static constexpr int kMax = 20;
+  Progress& progress_;
+  int count_ = 0;
+};
+
+/// Gives frames out at the times at which a camera would.
+class Pacer {
+ public:
+  explicit Pacer(bool active) : active_(active) {}
+
+  void wait_for(double timestamp) {
+    if (!active_) return;
+    if (first_ == 0) {
+      first_ = timestamp;
+      start_ = Clock::now();
+    }
+    const std::chrono::duration<double> since_first(timestamp - first_);
+    release_ = start_ + std::chrono::duration_cast<Clock::duration>(since_first);
+    std::this_thread::sleep_until(release_);
+  }
+  /// Milliseconds since the camera gave the frame of the last wait_for().
+  std::optional<double> lag_ms() const {
+    if (!active_) return std::nullopt;
+    return std::chrono::duration<double, std::milli>(Clock::now() - release_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool active_;
+  double first_ = 0;
+  Clock::time_point start_, release_;
+};
+
+}  // namespace
+
+void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
+                  Slam& slam, RunRecord& record, DebugImages* pictures) {
+  FrameLoader loader(input.frames, input.camera, options.colour);
+  Progress progress(options.label, "frames", static_cast<int>(input.frames.size()), options.quiet);
+  FaultReport faults(progress);
+  Pacer pacer(options.realtime);
+  Stopwatch stopwatch;
+  while (const auto frame = loader.next()) {
+    const int number = input.first_frame + frame->index;
+    // Then the camera or the whole sequence is wrong.
+    if (frame->error && frame->index == 0) throw *frame->error;
+    if (frame->error) faults.add(number, frame->error->what(), "is skipped");
+    pacer.wait_for(frame->timestamp);
+    const TrackingResult result = frame->image ? slam.track(*frame->image) : slam.skip(frame->timestamp);
+    record.add(result, pacer.lag_ms());
+    if (result.segmentation && !result.segmentation->problem.empty()) {
+      faults.add(number, result.segmentation->problem, "has no mask of its own");
+    }
+    if (frame->index == 0) record.set_start_up_seconds(process_usage().wall_seconds);
+    if (pictures != nullptr && frame->image) pictures->add_frame(frame->image->colour, number, result);
+    if (interrupts.interrupted()) {
+      // Said here, because the signal ends the program as soon as the watch is gone.
+      progress.message(fmt::format("stdc-slam: interrupted after {} of {} frames; nothing was written",
+                                   frame->index + 1, input.frames.size()));
+      throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
+    }
+    progress.update(frame->index + 1);
+  }
+  for (const LoopReport& loop : slam.finish()) record.add(loop);
+  record.set_processing_seconds(1e-3 * stopwatch.lap_ms());
+}
+
+}  // namespace stdc::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "input/layouts/tum_sequence.hpp"
+#include "report/debug_images.hpp"
+#include "report/run_record.hpp"
+#include "run/interrupt_watch.hpp"
+#include "run/sequence_input.hpp"
+#include "slam/slam.hpp"
+
+namespace stdc::app {
+
+struct TrackOptions {
+  ColourMode colour = ColourMode::grey;
+  bool realtime = false;  ///< give frames out at the pace of their timestamps, not as fast as they are taken
+  bool quiet = false;
+  std::string label = "tracking";  ///< of the progress line
+};
+
+/// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and
+/// survived. Throws Error if the first one cannot be read, or if the program is interrupted.
+/// @param pictures  null: none are made
+void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
+                  Slam& slam, RunRecord& record, DebugImages* pictures);
+
+}  // namespace stdc::app

@@ -1,0 +1,200 @@
+#include "simulation/sequence/rendered_sequence.hpp"
+
+#include <cassert>
+#include <opencv2/core.hpp>
+
+#include "simulation/light/ray_renderer.hpp"
+#include "simulation/people/walk_planner.hpp"
+#include "simulation/scene/dynamic_scene.hpp"
+#include "simulation/scene/prop_shapes.hpp"
+#include "simulation/scene/room.hpp"
+#include "simulation/sensors/colour_sensor.hpp"
+#include "simulation/sensors/depth_sensor.hpp"
+#include "simulation/sequence/camera_path.hpp"
+
+namespace stdc {
+namespace {
+
+constexpr double kFirstTimestamp = 1000;   // [s]
+constexpr double kBlurSeconds = 1.0 / 60;  // exposure time with motion blur
+constexpr int kBlurSamples = 6;
+constexpr float kExposure = 1.55F;
+constexpr double kPlannedSeconds = 600;  // people stand still after that
+
+MotionKind motion_of(Preset preset) {
+  switch (preset) {
+    case Preset::static_desk:
+      return MotionKind::desk;
+    case Preset::static_room:
+      return MotionKind::room_loop;
+    case Preset::walking_xyz:
+      return MotionKind::xyz;
+    case Preset::walking_halfsphere:
+      return MotionKind::halfsphere;
+    case Preset::walking_rpy:
+      return MotionKind::rpy;
+    case Preset::walking_static:
+      return MotionKind::held;
+    case Preset::moving_box:
+      break;
+  }
+  return MotionKind::watch;
+}
+
+double seconds_of(Preset preset) {
+  switch (preset) {
+    case Preset::static_desk:
+      return 20;
+    case Preset::static_room:
+      return CameraPath::kLoopSeconds;
+    default:
+      return 30;
+  }
+}
+
+bool has_walkers(Preset preset) {
+  return preset == Preset::walking_xyz || preset == Preset::walking_halfsphere ||
+         preset == Preset::walking_rpy || preset == Preset::walking_static;
+}
+
+Person make_person(int number, std::uint64_t seed, Route route) {
+  const PersonLook look = random_look(number, seed);
+  return {look, BodyPlan(look.measures), std::move(route)};
+}
+
+DynamicScene walkers(const Room& room, const BakedLight& light, std::uint64_t seed) {
+  std::vector<Person> people;
+  int number = 0;
+  for (Route& route : plan_walks(kPlannedSeconds, seed))
+    people.push_back(make_person(number++, seed, std::move(route)));
+  return {room.world, light, std::move(people), {}};
+}
+
+DynamicScene box_carrier(const Room& room, const BakedLight& light, std::uint64_t seed) {
+  BoxScript play = plan_box_carrier(kPlannedSeconds, seed);
+  std::vector<Person> people;
+  people.push_back(make_person(0, seed, std::move(play.route)));
+  std::vector<Prop> props;
+  props.push_back(carried_box(room, people[0].motion));
+  props.push_back(pushed_chair(room, people[0].motion, play.chair_start));
+  return {room.world, light, std::move(people), std::move(props)};
+}
+
+/// Nobody, if the preset or the settings want nobody.
+std::optional<DynamicScene> make_cast(Preset preset, const RenderSettings& settings, const Room& room,
+                                      const BakedLight& light) {
+  if (!settings.with_people) return std::nullopt;
+  if (has_walkers(preset)) return walkers(room, light, settings.seed);
+  if (preset == Preset::moving_box) return box_carrier(room, light, settings.seed);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Preset preset_named(std::string_view name) {
+  std::string all;
+  for (const auto& [preset, word] : EnumNames<Preset>::values) {
+    if (name == word) return preset;
+    all += (all.empty() ? "" : ", ") + std::string(word);
+  }
+  throw Error("preset", "there is no preset \"" + std::string(name) + "\"", "choose one of " + all);
+}
+
+Camera default_render_camera() {
+  Camera camera;
+  camera.fx = 535.4;
+  camera.fy = 539.2;
+  camera.cx = 320.1;
+  camera.cy = 247.6;
+  return camera;
+}
+
+/// Everything a sequence is rendered with.
+class RenderedSequence::Studio {
+ public:
+  Studio(Preset chosen, const RenderSettings& chosen_settings)
+      : preset(chosen),
+        settings(chosen_settings),
+        camera(checked(settings.camera.value_or(default_render_camera()))),
+        motion(motion_of(preset), settings.seed),
+        room(make_room(settings.seed, preset != Preset::moving_box)),
+        scene(room.world.mesh, TreeQuality::good),
+        light(room.world, scene),
+        shader(room.world, light),
+        cast(make_cast(preset, settings, room, light)),
+        rays(camera),
+        renderer(rays, scene, shader),
+        depth_sensor(camera) {}
+
+  static Camera checked(const Camera& c) {
+    c.validate("render settings: camera");
+    return c;
+  }
+
+  double time(int index) const { return index / camera.frames_per_second; }
+
+  IdealImage expose_instant(double t) const {
+    const std::unique_ptr<MovingThings> moving = cast ? cast->at(t) : nullptr;
+    return renderer.expose(motion.world_from_cam(t), moving.get());
+  }
+
+  IdealImage expose(int index) const {
+    IdealImage ideal = expose_instant(time(index));
+    if (!settings.motion_blur) return ideal;
+    ideal.colour.setTo(0);
+    for (int i = 0; i < kBlurSamples; ++i) {
+      const double shift = kBlurSeconds * ((i + 0.5) / kBlurSamples - 0.5);
+      ideal.colour += expose_instant(std::max(0.0, time(index) + shift)).colour * (1.0F / kBlurSamples);
+    }
+    return ideal;
+  }
+
+  const Preset preset;
+  const RenderSettings settings;
+  const Camera camera;
+  const CameraPath motion;
+  const Room room;
+  const RayScene scene;
+  const BakedLight light;
+  const SurfaceShader shader;
+  const std::optional<DynamicScene> cast;
+  const RayGrid rays;
+  const RayRenderer renderer;
+  const ColourSensor colour_sensor;
+  const DepthSensor depth_sensor;
+};
+
+RenderedSequence::RenderedSequence(Preset preset, const RenderSettings& settings)
+    : studio_(std::make_unique<Studio>(preset, settings)) {}
+RenderedSequence::~RenderedSequence() = default;
+RenderedSequence::RenderedSequence(RenderedSequence&&) noexcept = default;
+RenderedSequence& RenderedSequence::operator=(RenderedSequence&&) noexcept = default;
+
+const Camera& RenderedSequence::camera() const { return studio_->camera; }
+
+int RenderedSequence::frame_count() const { return frame_count(studio_->preset, studio_->camera); }
+
+int RenderedSequence::frame_count(Preset preset, const Camera& camera) {
+  return static_cast<int>(std::lround(seconds_of(preset) * camera.frames_per_second));
+}
+
+double RenderedSequence::timestamp(int index) const { return kFirstTimestamp + studio_->time(index); }
+
+Pose RenderedSequence::world_from_cam(int index) const {
+  return studio_->motion.world_from_cam(studio_->time(index));
+}
+
+RenderedFrame RenderedSequence::render(int index) const {
+  assert(index >= 0);
+  const IdealImage ideal = studio_->expose(index);
+  const std::uint64_t noise = studio_->settings.seed * 1000003ULL + static_cast<std::uint64_t>(index);
+  RenderedFrame frame;
+  frame.image.timestamp = timestamp(index);
+  frame.image.colour = studio_->colour_sensor.image(ideal.colour, kExposure, noise);
+  frame.image.depth = studio_->depth_sensor.image(ideal.depth, ideal.infrared, noise);
+  frame.mask = ideal.mask;
+  frame.world_from_cam = world_from_cam(index);
+  return frame;
+}
+
+}  // namespace stdc

@@ -1,0 +1,201 @@
+// Several maps in one.
+#include <gtest/gtest.h>
+
+#include "atlas/test_scene.hpp"
+
+namespace stdc {
+namespace {
+
+using test::camera_at;
+using test::MappedScene;
+using test::Scene;
+
+/// Two maps of one room, each in three keyframes: 0, 1, 2 and 3, 4, 5.
+struct TwoMaps : MappedScene {
+  explicit TwoMaps(int points = 150) : MappedScene(Scene(points)) {
+    for (int k = 0; k < 6; ++k) {
+      if (k == 3) start_map();
+      add(scene.look(camera_at(0.05 * k, 0, 0)));
+    }
+  }
+};
+
+constexpr KeyframeId id(std::uint32_t value) { return {value}; }
+
+TEST(Atlas, MapsOfOneRoomShareNothing) {
+  const TwoMaps atlas;
+  const Atlas& atlas = atlas.atlas;
+  EXPECT_EQ(atlas.map_count(), 2);
+  EXPECT_EQ(atlas.root(0), id(0));
+  EXPECT_EQ(atlas.root(1), id(3));
+  EXPECT_EQ(atlas.keyframe_ids(1), (std::vector{id(3), id(4), id(5)}));
+  EXPECT_EQ(atlas.keyframe_count(0), 3);
+  EXPECT_FALSE(atlas.keyframe(id(3)).parent.valid()) << "though there are older keyframes";
+  test::expect_consistent(atlas);
+}
+
+TEST(Atlas, NumbersAreGivenInTheOrderOfTheMaps) {
+  EXPECT_EQ(Atlas().map_count(), 0);
+  TwoMaps atlas;
+  atlas.start_map();
+  EXPECT_EQ(atlas.number, 2);
+  atlas.add(atlas.scene.look(Pose()));
+  EXPECT_EQ(atlas.atlas.root(2), id(6));
+  atlas.atlas.join(2, 1);
+  EXPECT_EQ(atlas.atlas.map_count(), 3);
+  atlas.start_map();
+  EXPECT_EQ(atlas.number, 3) << "a number is never given again";
+  atlas.add(atlas.scene.look(Pose()));
+  EXPECT_EQ(atlas.atlas.map_of(id(7)), 3);
+  test::expect_consistent(atlas.atlas);
+}
+
+TEST(Atlas, AParentIsNeverOfAnotherMap) {
+  TwoMaps atlas;
+  // The newest keyframe of the older map sees nothing that any other sees, and the one before it is of the
+  // other map.
+  atlas.number = 0;
+  const KeyframeId alone = atlas.add_bare(atlas.scene.look(camera_at(0.4, 0, 0)));
+  atlas.atlas.update_covisibility(alone);
+  EXPECT_EQ(atlas.atlas.keyframe(alone).parent, id(2));
+  test::expect_consistent(atlas.atlas);
+  atlas.atlas.remove(id(2));
+  EXPECT_EQ(atlas.atlas.keyframe(alone).parent, id(0)) << "that of its parent";
+  test::expect_consistent(atlas.atlas);
+}
+
+TEST(Atlas, NoRootCanBeRemoved) {
+  TwoMaps atlas;
+  atlas.atlas.remove(id(0));
+  atlas.atlas.remove(id(3));
+  EXPECT_TRUE(atlas.atlas.has(id(0)) && atlas.atlas.has(id(3)));
+  EXPECT_EQ(atlas.atlas.keyframe_count(), 6);
+  atlas.atlas.remove(id(4));
+  EXPECT_EQ(atlas.atlas.keyframe_count(1), 2);
+  test::expect_consistent(atlas.atlas);
+}
+
+TEST(Atlas, JoinedMapsAreOneTree) {
+  TwoMaps atlas;
+  Atlas& atlas = atlas.atlas;
+  atlas.remove(id(4));
+  EXPECT_EQ(atlas.map_of(id(4)), 1) << "it is remembered whose it was";
+  const Pose before = atlas.keyframe(id(5)).cam_from_world;
+  atlas.join(1, 0);
+  EXPECT_EQ(atlas.map_count(), 2);
+  EXPECT_FALSE(atlas.root(1).valid());
+  EXPECT_EQ(atlas.root(0), id(0));
+  EXPECT_EQ(atlas.keyframe_count(0), 5);
+  EXPECT_EQ(atlas.keyframe_count(1), 0);
+  EXPECT_TRUE(atlas.keyframe_ids(1).empty());
+  EXPECT_EQ(atlas.keyframe(id(3)).parent, id(0));
+  EXPECT_EQ(atlas.map_of(id(4)), 0);
+  EXPECT_EQ(atlas.keyframe(id(5)).cam_from_world.translation, before.translation) << "nothing is moved";
+  test::expect_consistent(atlas);
+}
+
+TEST(Atlas, WhatWasARootIsAKeyframeLikeOthersAfterwards) {
+  TwoMaps atlas;
+  Atlas& atlas = atlas.atlas;
+  atlas.join(1, 0);
+  const Pose before = atlas.keyframe(id(3)).cam_from_world;
+  atlas.remove(id(3));
+  EXPECT_FALSE(atlas.has(id(3)));
+  const Atlas::KeptAncestor ancestor = atlas.resolve(id(3));
+  EXPECT_EQ(ancestor.keyframe, id(0));
+  const Pose after = ancestor.cam_from_ancestor * atlas.keyframe(id(0)).cam_from_world;
+  EXPECT_LT(test::centre_error(before, after), 1e-12);
+  test::expect_consistent(atlas);
+  atlas.number = 0;
+  const KeyframeId next = atlas.add_bare(atlas.scene.look(camera_at(0.3, 0, 0)));
+  atlas.update_covisibility(next);
+  EXPECT_EQ(atlas.keyframe(next).parent, id(5)) << "it follows on those that came by the joining";
+  test::expect_consistent(atlas);
+}
+
+TEST(Atlas, MapsAreJoinedInAChain) {
+  TwoMaps atlas;
+  Atlas& atlas = atlas.atlas;
+  atlas.start_map();
+  for (int k = 0; k < 3; ++k) atlas.add(atlas.scene.look(camera_at(0.05 * k, 0, 0)));
+  atlas.remove(id(7));
+  atlas.join(2, 1);
+  atlas.join(1, 0);
+  EXPECT_EQ(atlas.keyframe_count(0), 8);
+  EXPECT_EQ(atlas.map_of(id(7)), 0);
+  EXPECT_EQ(atlas.keyframe(id(6)).parent, id(3));
+  EXPECT_FALSE(atlas.root(1).valid() || atlas.root(2).valid());
+  test::expect_consistent(atlas);
+}
+
+TEST(Atlas, TiesStandOnBothSidesAndInOrder) {
+  TwoMaps atlas;
+  Atlas& atlas = atlas.atlas;
+  atlas.add_loop_edge(id(1), id(2));
+  atlas.add_loop_edge(id(1), id(0));
+  atlas.add_loop_edge(id(2), id(1));
+  EXPECT_EQ(atlas.keyframe(id(1)).loops, (std::vector{id(0), id(2)}));
+  EXPECT_EQ(atlas.keyframe(id(2)).loops, std::vector{id(1)}) << "once only";
+  EXPECT_EQ(atlas.keyframe(id(0)).loops, std::vector{id(1)});
+  test::expect_consistent(atlas);
+  atlas.remove(id(1));
+  EXPECT_TRUE(atlas.keyframe(id(0)).loops.empty() && atlas.keyframe(id(2)).loops.empty())
+      << "a tie ends with either of its ends";
+  test::expect_consistent(atlas);
+}
+
+TEST(Atlas, AMapOfWhatAnotherHeldKnowsItsRoots) {
+  TwoMaps atlas;
+  atlas.atlas.add_loop_edge(id(3), id(5));
+  std::vector<Keyframe> keyframes;
+  std::vector<Landmark> landmarks;
+  for (const KeyframeId k : atlas.atlas.keyframe_ids()) keyframes.push_back(atlas.atlas.keyframe(k));
+  for (const LandmarkId l : atlas.atlas.landmark_ids()) landmarks.push_back(atlas.atlas.landmark(l));
+  Atlas again(std::move(keyframes), std::move(landmarks));
+  EXPECT_EQ(again.map_count(), 2);
+  EXPECT_EQ(again.root(1), id(3));
+  test::expect_consistent(again);
+  again.remove(id(5));
+  EXPECT_TRUE(again.keyframe(id(3)).loops.empty());
+  test::expect_consistent(again);
+}
+
+/// Keyframes come, are tied and go; maps begin and are joined.
+TEST(Atlas, SurvivesARandomLife) {
+  MappedScene atlas(Scene(60));
+  Atlas& atlas = atlas.atlas;
+  Random random(11);
+  const auto one_of = [&](const std::vector<KeyframeId>& ids) {
+    return ids[random.below(static_cast<std::uint32_t>(ids.size()))];
+  };
+  int joined = 0;
+  for (int step = 0; step < 120; ++step) {
+    if (step % 15 == 14) atlas.start_map();
+    atlas.add(atlas.scene.look(camera_at(random.uniform(0, 1), 0, 0)));
+    const std::vector<KeyframeId> here = atlas.keyframe_ids(atlas.number);
+    const KeyframeId a = one_of(here), b = one_of(here);
+    if (a != b) atlas.add_loop_edge(a, b);
+    const std::vector<KeyframeId> all = atlas.keyframe_ids();
+    if (all.size() > 14) atlas.remove(one_of(all));
+    if (step % 40 == 39) {
+      for (int into = 0; into < atlas.number; ++into) {
+        if (!atlas.root(into).valid()) continue;
+        atlas.join(atlas.number, into);
+        atlas.number = into;
+        ++joined;
+        break;
+      }
+    }
+    for (LandmarkId& landmark : atlas.landmarks) {
+      if (landmark.valid() && !atlas.has(landmark)) landmark = {};
+    }
+    test::expect_consistent(atlas);
+  }
+  EXPECT_EQ(joined, 3);
+  for (std::uint32_t k = 0; k < atlas.keyframe_id_limit(); ++k) {
+    EXPECT_TRUE(atlas.root(atlas.map_of(id(k))).valid()) << "every frame's map is there";
+  }
+}
+
+}  // namespace
+}  // namespace stdc

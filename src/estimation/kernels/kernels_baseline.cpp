@@ -1,0 +1,2 @@
+#define STDC_KERNELS for_baseline
+#include "estimation/kernels/kernels.inl"

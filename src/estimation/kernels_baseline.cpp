@@ -1,2 +1,0 @@
-#define STDC_KERNELS for_baseline
-#include "estimation/kernels.inl"

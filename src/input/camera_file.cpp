@@ -1,0 +1,147 @@
+#include "input/camera_file.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+
+namespace stdc {
+namespace {
+
+constexpr const char* kKeys =
+    "give width, height, fx, fy, cx, cy and, if needed, k1, k2, p1, p2, k3, depth_units_per_metre, "
+    "frames_per_second, readout_time";
+
+/// One key of the file: where its number goes, and whether it must be there.
+struct Key {
+  const char* name;
+  double Camera::*number;
+  int Camera::*integer;
+  bool required;
+};
+
+constexpr std::array kAllKeys{
+    Key{"width", nullptr, &Camera::width, true},
+    Key{"height", nullptr, &Camera::height, true},
+    Key{"fx", &Camera::fx, nullptr, true},
+    Key{"fy", &Camera::fy, nullptr, true},
+    Key{"cx", &Camera::cx, nullptr, true},
+    Key{"cy", &Camera::cy, nullptr, true},
+    Key{"k1", &Camera::k1, nullptr, false},
+    Key{"k2", &Camera::k2, nullptr, false},
+    Key{"p1", &Camera::p1, nullptr, false},
+    Key{"p2", &Camera::p2, nullptr, false},
+    Key{"k3", &Camera::k3, nullptr, false},
+    Key{"depth_units_per_metre", &Camera::depth_units_per_metre, nullptr, false},
+    Key{"frames_per_second", &Camera::frames_per_second, nullptr, false},
+    Key{"readout_time", &Camera::readout_time, nullptr, false},
+};
+
+std::string place(const std::string& name, const YAML::Mark& mark) {
+  return mark.is_null() ? name : fmt::format("{}:{}", name, mark.line + 1);
+}
+
+YAML::Node parse_map(const std::string& yaml, const std::string& name) {
+  constexpr std::size_t kMaxFile = 1U << 16U;
+  if (yaml.size() > kMaxFile) throw Error(name, "is too large for a camera file", kKeys);
+  try {
+    YAML::Node root = YAML::Load(yaml);
+    if (root.IsMap()) return root;
+  } catch (const YAML::Exception& error) {
+    throw Error(place(name, error.mark), fmt::format("is not YAML ({})", error.msg),
+                "write one 'key: value' a line");
+  }
+  throw Error(name, "holds no 'key: value' lines", kKeys);
+}
+
+void set(Camera& camera, const Key& key, const YAML::Node& value, const std::string& where) {
+  const std::optional<double> number = value.IsScalar() ? parse_number(value.Scalar()) : std::nullopt;
+  if (!number || !std::isfinite(*number)) {
+    throw Error(where, fmt::format("{} is not a finite number", key.name), "replace it");
+  }
+  if (key.number != nullptr) {
+    camera.*key.number = *number;
+    return;
+  }
+  if (*number != std::floor(*number) || std::abs(*number) > 1e6) {
+    throw Error(where, fmt::format("{} is not a whole number of pixels", key.name), "replace it");
+  }
+  camera.*key.integer = static_cast<int>(*number);
+}
+
+}  // namespace
+
+Camera parse_camera(const std::string& yaml, const std::string& name) {
+  const YAML::Node root = parse_map(yaml, name);
+  Camera camera;
+  std::array<bool, kAllKeys.size()> seen{};
+  for (const auto& entry : root) {
+    const std::string where = place(name, entry.first.Mark());
+    const std::string word = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    const auto* key =
+        std::find_if(kAllKeys.begin(), kAllKeys.end(), [&](const Key& k) { return word == k.name; });
+    if (key == kAllKeys.end()) throw Error(where, fmt::format("unknown key {}", shown(word)), kKeys);
+    bool& there = seen[static_cast<std::size_t>(key - kAllKeys.begin())];
+    if (there) throw Error(where, fmt::format("{} is given twice", key->name), "remove one of them");
+    there = true;
+    set(camera, *key, entry.second, where);
+  }
+  for (std::size_t i = 0; i < kAllKeys.size(); ++i) {
+    if (kAllKeys[i].required && !seen[i]) {
+      throw Error(name, fmt::format("{} is missing", kAllKeys[i].name), kKeys);
+    }
+  }
+  camera.validate(name);
+  return camera;
+}
+
+Camera read_camera(const std::filesystem::path& path) {
+  return parse_camera(read_file(path, "give a camera file (see the README for its keys)"), path.string());
+}
+
+std::string format_camera(const Camera& camera) {
+  std::string text;
+  for (const Key& key : kAllKeys) {
+    text += key.number != nullptr ? fmt::format("{}: {}\n", key.name, camera.*key.number)
+                                  : fmt::format("{}: {}\n", key.name, camera.*key.integer);
+  }
+  return text;
+}
+
+// The calibrations published with the TUM RGB-D benchmark (Sturm et al., IROS 2012).
+std::optional<Camera> tum_calibration(std::string_view folder_name) {
+  // Freiburg 1 and 2 were taken with a Kinect, whose colour camera has a rolling shutter (Ringaby and
+  // Forssen, ICCV 2011). The time was found from images alone: with it most landmarks are where they are
+  // expected. The Xtion of freiburg 3 has not been measured yet.
+  constexpr double kKinectReadout = 0.026;  // [s]
+  Camera camera;
+  const auto named = [&](std::string_view word) { return folder_name.find(word) != std::string_view::npos; };
+  const auto pinhole = [&](double fx, double fy, double cx, double cy) {
+    camera.fx = fx, camera.fy = fy, camera.cx = cx, camera.cy = cy;
+  };
+  const auto lens = [&](double k1, double k2, double p1, double p2, double k3) {
+    camera.k1 = k1, camera.k2 = k2, camera.p1 = p1, camera.p2 = p2, camera.k3 = k3;
+  };
+  if (named("freiburg1")) {
+    pinhole(517.306408, 516.469215, 318.643040, 255.313989);
+    lens(0.262383, -0.953104, -0.005358, 0.002628, 1.163314);
+    camera.readout_time = kKinectReadout;
+  } else if (named("freiburg2")) {
+    pinhole(520.908620, 521.007327, 325.141442, 249.701764);
+    lens(0.231222, -0.784899, -0.003257, -0.000105, 0.917205);
+    camera.readout_time = kKinectReadout;
+  } else if (named("freiburg3")) {
+    pinhole(535.433105, 539.212524, 320.106653, 247.632132);
+  } else {
+    return std::nullopt;
+  }
+  return camera;
+}
+
+}  // namespace stdc

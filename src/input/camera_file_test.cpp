@@ -1,0 +1,74 @@
+#include "input/camera_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/test_folder.hpp"
+
+namespace stdc {
+namespace {
+
+using test::message_of;
+using test::TestFolder;
+
+const std::string kMinimal = "width: 640\nheight: 480\nfx: 500\nfy: 501\ncx: 320\ncy: 240\n";
+
+std::string message(const std::string& text) {
+  return message_of([&] { parse_camera(text, "c.yaml"); });
+}
+
+TEST(CameraFile, HasDefaultsForTheRest) {
+  const Camera camera = parse_camera(kMinimal, "c.yaml");
+  EXPECT_EQ(camera.fy, 501);
+  EXPECT_FALSE(camera.has_distortion());
+  EXPECT_EQ(camera.depth_units_per_metre, 5000);
+  EXPECT_EQ(camera.frames_per_second, 30);
+}
+
+TEST(CameraFile, ReadsWhatItWrites) {
+  for (const char* name : {"rgbd_dataset_freiburg1_xyz", "freiburg2_desk", "x_freiburg3_y"}) {
+    Camera camera = *tum_calibration(name);
+    camera.frames_per_second = 29.97;
+    const std::string text = format_camera(camera);
+    EXPECT_EQ(format_camera(parse_camera(text, "c.yaml")), text);
+    const Camera again = parse_camera(text, "c.yaml");
+    EXPECT_EQ(again.k3, camera.k3);
+    EXPECT_EQ(again.fx, camera.fx);
+    EXPECT_EQ(again.frames_per_second, 29.97);
+  }
+}
+
+TEST(CameraFile, KnowsTheTumCameras) {
+  EXPECT_NEAR(tum_calibration("rgbd_dataset_freiburg1_xyz")->fx, 517.306408, 1e-9);
+  EXPECT_NEAR(tum_calibration("rgbd_dataset_freiburg2_desk")->k3, 0.917205, 1e-9);
+  EXPECT_FALSE(tum_calibration("rgbd_dataset_freiburg3_walking_xyz")->has_distortion());
+  EXPECT_FALSE(tum_calibration("kitchen"));
+}
+
+TEST(CameraFile, NamesTheLineAtFault) {
+  EXPECT_NE(message(kMinimal + "focal: 3\n").find("c.yaml:7: unknown key 'focal'; give width"),
+            std::string::npos);
+  EXPECT_NE(message(kMinimal + "\n\nk1: abc\n").find("c.yaml:9: k1 is not a finite number"),
+            std::string::npos);
+  EXPECT_NE(message(kMinimal + "k1: .nan\n").find("c.yaml:7: k1"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "k1: nan\n").find("c.yaml:7: k1"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "k1: [1, 2]\n").find("c.yaml:7: k1"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "fx: 3\n").find("c.yaml:7: fx is given twice"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "k1: {\n").find("is not YAML"), std::string::npos);
+  EXPECT_NE(message("width: 640\n").find("c.yaml: height is missing"), std::string::npos);
+  EXPECT_NE(message("width: 640.5\n").find("c.yaml:1: width is not a whole number"), std::string::npos);
+  EXPECT_NE(message("width: 1e300\n").find("c.yaml:1: width"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "depth_units_per_metre: 0\n").find("c.yaml: depth_units_per_metre"),
+            std::string::npos);
+  EXPECT_NE(message("").find("c.yaml: holds no"), std::string::npos);
+  EXPECT_NE(message("- a\n- b\n").find("c.yaml: holds no"), std::string::npos);
+  EXPECT_NE(message(std::string(100000, ' ')).find("too large"), std::string::npos);
+}
+
+TEST(CameraFile, NamesAMissingFile) {
+  const TestFolder folder;
+  EXPECT_NE(message_of([&] { read_camera(folder / "none.yaml"); }).find("none.yaml: cannot be opened"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace stdc

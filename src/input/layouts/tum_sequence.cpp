@@ -1,0 +1,98 @@
+#include "input/layouts/tum_sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/image_list.hpp"
+#include "core/text_file.hpp"
+#include "input/association.hpp"
+#include "input/camera_file.hpp"
+
+namespace stdc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMaxDifference = 0.02;  // [s] between colour and depth
+constexpr const char* kLayout = "give a folder in TUM RGB-D layout: rgb.txt, depth.txt and the images";
+
+std::vector<ImageListEntry> read_list(const fs::path& path) {
+  return parse_image_list(read_file(path, kLayout), path.string());
+}
+
+std::vector<double> times_of(const std::vector<ImageListEntry>& list) {
+  std::vector<double> times;
+  times.reserve(list.size());
+  for (const ImageListEntry& entry : list) times.push_back(entry.timestamp);
+  return times;
+}
+
+/// Smallest difference between any two times of two increasing lists [s].
+double min_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double smallest = std::abs(a.front() - b.front());
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    smallest = std::min(smallest, std::abs(a[i] - b[j]));
+    (a[i] < b[j] ? i : j)++;
+  }
+  return smallest;
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+/// The folder's own name, also for "." and "folder/".
+std::string name_of(const fs::path& folder) {
+  std::error_code failed;
+  const fs::path whole = fs::canonical(folder, failed);
+  return (failed ? folder : whole).filename().string();
+}
+
+}  // namespace
+
+TumSequence::TumSequence(const fs::path& folder) : folder_(folder) {
+  std::error_code ignored;
+  if (!is_there(folder)) throw Error(folder.string(), "there is no such folder", kLayout);
+  if (!fs::is_directory(folder, ignored)) throw Error(folder.string(), "is not a folder", kLayout);
+  const std::vector<ImageListEntry> colour = read_list(folder / "rgb.txt");
+  const std::vector<ImageListEntry> depth = read_list(folder / "depth.txt");
+  const std::vector<double> colour_times = times_of(colour), depth_times = times_of(depth);
+  const auto pairs = associate_times(colour_times, depth_times, kMaxDifference);
+  if (pairs.empty()) {
+    throw Error(
+        (folder / "depth.txt").string(),
+        fmt::format("no depth image lies within {:.0f} ms of a colour image (the nearest is {:.3f} s away)",
+                    kMaxDifference * 1e3, min_difference(colour_times, depth_times)),
+        "make both lists with the same clock");
+  }
+  frames_.reserve(pairs.size());
+  for (const auto& [c, d] : pairs) {
+    const ImageListEntry &c_entry = colour[static_cast<std::size_t>(c)],
+                         &d_entry = depth[static_cast<std::size_t>(d)];
+    frames_.push_back({c_entry.timestamp, d_entry.timestamp, folder / c_entry.file, folder / d_entry.file,
+                       c_entry.line, d_entry.line});
+  }
+  colour_without_depth_ = static_cast<int>(colour.size() - pairs.size());
+}
+
+bool TumSequence::has_ground_truth() const { return is_there(folder_ / "groundtruth.txt"); }
+
+Trajectory TumSequence::ground_truth() const { return read_trajectory(folder_ / "groundtruth.txt"); }
+
+Camera find_camera(const TumSequence& sequence, const std::optional<fs::path>& camera_file) {
+  const fs::path own = sequence.folder() / "camera.yaml";
+  if (is_there(own)) return read_camera(own);
+  if (camera_file) return read_camera(*camera_file);
+  const std::string name = name_of(sequence.folder());
+  if (const std::optional<Camera> camera = tum_calibration(name)) return *camera;
+  throw Error(sequence.folder().string(), "its camera is not known",
+              "put a camera.yaml into the folder or give one with --camera (known without: folders with "
+              "freiburg1, freiburg2 or freiburg3 in their name)");
+}
+
+}  // namespace stdc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/image_codec.hpp"
+#include "core/rgbd_image.hpp"
+#include "input/trajectory.hpp"
+
+namespace stdc {
+
+/// One colour image and the depth image that belongs to it.
+struct SequenceFrame {
+  double timestamp = 0;        ///< of the colour image [s]
+  double depth_timestamp = 0;  ///< [s]
+  std::filesystem::path colour, depth;
+  int line = 0;        ///< of rgb.txt, for messages
+  int depth_line = 0;  ///< of depth.txt
+};
+
+/// A folder in TUM RGB-D layout: rgb.txt, depth.txt, optional groundtruth.txt and camera.yaml.
+class TumSequence {
+ public:
+  /// Reads the lists and associates depth to colour: one to one, at most 20 ms apart, nearest pairs first.
+  /// Throws Error for a missing folder or list, an empty or unordered one, bad numbers, no pair at all.
+  explicit TumSequence(const std::filesystem::path& folder);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::vector<SequenceFrame>& frames() const { return frames_; }
+  /// Colour images that found no depth image; they are not among the frames.
+  int colour_without_depth() const { return colour_without_depth_; }
+  bool has_ground_truth() const;
+  /// Throws Error if there is none or it is malformed.
+  Trajectory ground_truth() const;
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<SequenceFrame> frames_;
+  int colour_without_depth_ = 0;
+};
+
+/// Reads both images of a frame. `camera` is for checking sizes and depth. Throws Error naming the image for
+/// a missing, truncated or undecodable file, wrong size, wrong bit depth or channels.
+RgbdImage load_frame(const SequenceFrame& frame, const Camera& camera,
+                     ColourMode mode = ColourMode::as_stored);
+
+/// The camera of a sequence: camera.yaml in the folder, else `camera_file`, else the TUM freiburg1/2/3
+/// calibration named in the folder's name. Throws Error if none is known or the file is wrong.
+Camera find_camera(const TumSequence& sequence, const std::optional<std::filesystem::path>& camera_file);
+
+}  // namespace stdc

@@ -1,0 +1,61 @@
+#include "segmentation/network/inference_thread.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/dnnl/dnnl_config.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "core/error.hpp"
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#if DNNL_CPU_THREADING_RUNTIME == DNNL_RUNTIME_OMP
+// Declared here because <omp.h> comes with each compiler, and Debian's clang has none.
+extern "C" {
+int omp_get_max_threads();
+void omp_set_num_threads(int threads);
+}
+#else
+static int omp_get_max_threads() { return 1; }
+static void omp_set_num_threads(int) {}
+#endif
+
+namespace stdc {
+namespace {
+
+bool variable_is(const char* name, std::string_view wanted) {
+  const char* value = std::getenv(name);
+  return value != nullptr && strncasecmp(value, wanted.data(), wanted.size() + 1) == 0;
+}
+
+}  // namespace
+
+InferenceThread::InferenceThread(int threads) : threads_before_(omp_get_max_threads()) {
+#if defined(__SSE2__)
+  constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  control_ = _mm_getcsr();
+  _mm_setcsr(control_ | kFlushToZero | kDenormalsAreZero);
+#endif
+  omp_set_num_threads(threads);
+}
+
+InferenceThread::~InferenceThread() {
+  omp_set_num_threads(threads_before_);
+#if defined(__SSE2__)
+  _mm_setcsr(control_);
+#endif
+}
+
+void InferenceThread::check(int threads) {
+  if (threads <= 1 || variable_is("OMP_WAIT_POLICY", "passive") || variable_is("GOMP_SPINCOUNT", "0")) return;
+  throw Error(
+      "segmentation.threads",
+      fmt::format("with {} threads OpenMP would spin beside the other threads of the program", threads),
+      "start the program with OMP_WAIT_POLICY=PASSIVE in its environment, or use one thread");
+}
+
+}  // namespace stdc

@@ -1,0 +1,90 @@
+#include "segmentation/network/network_segmenter.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.hpp"
+#include "segmentation/network/kernels/dnnl_convolution.hpp"
+
+namespace stdc {
+namespace {
+
+namespace fs = std::filesystem;
+
+cv::Size chosen_size(const NetworkWeights& weights, const NetworkSettings& settings) {
+  check_ranges("network", settings);
+  const cv::Size size(settings.input_width > 0 ? settings.input_width : weights.input_size.width,
+                      settings.input_height > 0 ? settings.input_height : weights.input_size.height);
+  check_input_size(size, "network.input_width, network.input_height");
+  return size;
+}
+
+}  // namespace
+
+NetworkSegmenter::NetworkSegmenter(const fs::path& weights, const NetworkSettings& settings)
+    : NetworkSegmenter(read_network_weights(weights), settings) {}
+
+NetworkSegmenter::NetworkSegmenter(const NetworkWeights& weights, const NetworkSettings& settings)
+    : architecture_(weights.architecture),
+      dynamic_classes_(weights.dynamic_classes),
+      network_(weights, chosen_size(weights, settings), settings.precision, settings.threads) {}
+
+const cv::Mat& NetworkSegmenter::prepare(const cv::Mat& image) {
+  const cv::Size size = network_.input_size();
+  const cv::Mat* small = &image;
+  if (image.size() != size) {
+    // Bilinear sampling skips pixels when an image shrinks to less than half.
+    const bool skips = image.cols > 2 * size.width || image.rows > 2 * size.height;
+    cv::resize(image, resized_, size, 0, 0, skips ? cv::INTER_AREA : cv::INTER_LINEAR);
+    small = &resized_;
+  }
+  if (small->channels() == 3) return *small;
+  cv::cvtColor(*small, colour_, cv::COLOR_GRAY2BGR);
+  return colour_;
+}
+
+cv::Mat NetworkSegmenter::segment(const SegmenterInput& input) {
+  const cv::Mat& image = input.colour;
+  if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_8UC1)) {
+    throw Error(fmt::format("image of frame {}", input.frame), "is not an 8-bit colour or grey image",
+                "give CV_8UC3 (BGR) or CV_8UC1");
+  }
+  const Logits logits = network_.run(prepare(image));
+  if (!map_ || map_->size() != image.size()) {
+    map_.emplace(cv::Size(logits.width, logits.height), image.size(), dynamic_classes_);
+  }
+  return map_->draw(logits);
+}
+
+std::string NetworkSegmenter::description() const {
+  const cv::Size size = network_.input_size();
+  return fmt::format("{}, {}, {}x{}, {}", architecture_, enum_name(network_.precision()), size.width,
+                     size.height, DnnlEngine::description());
+}
+
+fs::path find_network_weights() {
+  const fs::path name = "models/stdc1-person.safetensors";
+  std::vector<fs::path> places;
+  if (const char* folder = std::getenv("STDC_SLAM_MODELS"))
+    places.push_back(fs::path(folder) / name.filename());
+  std::error_code fault;
+  fs::path folder = fs::read_symlink("/proc/self/exe", fault).parent_path();
+  if (!folder.empty()) places.push_back(folder.parent_path() / "share/stdc-slam" / name);
+  constexpr int kHighest = 4;
+  for (int i = 0; i <= kHighest && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
+    places.push_back(folder / name);
+  }
+  for (const fs::path& place : places) {
+    if (fs::is_regular_file(place, fault)) return place;
+  }
+  std::vector<std::string> tried;
+  for (const fs::path& place : places) tried.push_back(place.string());
+  throw Error(name.filename().string(),
+              fmt::format("the network's weights were not found (tried {})", fmt::join(tried, ", ")),
+              "give their file with --weights, or their folder in STDC_SLAM_MODELS, or do without "
+              "(--segmentation off)");
+}
+
+}  // namespace stdc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "segmentation/network/kernels/class_map.hpp"
+#include "segmentation/network/network_settings.hpp"
+#include "segmentation/segmenter.hpp"
+
+namespace stdc {
+
+/// Finds people and other dynamic classes with the STDC network.
+class NetworkSegmenter : public Segmenter {
+ public:
+  /// Reads the weights and makes the network. Throws Error for a missing or wrong file, a size that is no
+  /// multiple of 32, and what StdcNetwork refuses.
+  NetworkSegmenter(const std::filesystem::path& weights, const NetworkSettings& settings);
+  NetworkSegmenter(const NetworkWeights& weights, const NetworkSettings& settings);
+
+  /// The colour image may have any size; it is resized to the network's.
+  cv::Mat segment(const SegmenterInput& input) override;
+
+  /// One line on what computes: architecture, precision, size, oneDNN's version and instruction set.
+  std::string description() const;
+  StdcNetwork& network() { return network_; }
+
+ private:
+  /// The image as BGR in the network's size: the image itself or `resized_`.
+  const cv::Mat& prepare(const cv::Mat& image);
+
+  std::string architecture_;
+  std::vector<bool> dynamic_classes_;
+  StdcNetwork network_;
+  cv::Mat resized_, colour_;
+  std::optional<ClassMap> map_;
+};
+
+/// Where the weights are that ship with the program: `models/stdc1-person.safetensors` in the folder named by
+/// the environment variable STDC_SLAM_MODELS, in share/stdc-slam/ beside the program's folder, or in the
+/// program's folder or one of the four above it (a source tree). Throws Error naming all of them if there is
+/// none.
+std::filesystem::path find_network_weights();
+
+}  // namespace stdc

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "segmentation/network/network_settings.hpp"
+#include "segmentation/segmenter.hpp"
+
+namespace stdc {
+
+/// A segmenter that computes: by extension an ONNX model (".onnx", with the JSON file beside it, its size
+/// overridden by the settings) or the STDC network (".safetensors"). An empty path: the weights that ship.
+/// Throws Error for a missing or wrong file.
+std::unique_ptr<Segmenter> make_weights_segmenter(const std::filesystem::path& weights,
+                                                  const NetworkSettings& settings);
+
+}  // namespace stdc
