@@ -87,11 +87,11 @@ void pose_by_ceres(benchmark::State& state) {
   for (auto _ : state) {
     state.PauseTiming();
     const PoseTask& task = tasks[k++ % tasks.size()];
-    const auto model = ceres_reference::make_pose(task.scene.camera, task.scene.observations, task.initial,
-                                                  task.scene.sigma);
+    const auto model = test::ceres_reference::make_pose(task.scene.camera, task.scene.observations,
+                                                        task.initial, task.scene.sigma);
     state.ResumeTiming();
     ceres::Solver::Summary summary;
-    ceres::Solve(ceres_reference::options(ceres::DENSE_NORMAL_CHOLESKY, 100, kStopAt), &model->problem,
+    ceres::Solve(test::ceres_reference::options(ceres::DENSE_NORMAL_CHOLESKY, 100, kStopAt), &model->problem,
                  &summary);
   }
 }
@@ -102,9 +102,9 @@ void bundle_by_ceres(benchmark::State& state) {
   ceres::Solver::Summary summary;
   for (auto _ : state) {
     state.PauseTiming();
-    auto model = ceres_reference::make_bundle(scene.camera, scene.problem, scene.sigma);
+    auto model = test::ceres_reference::make_bundle(scene.camera, scene.problem, scene.sigma);
     state.ResumeTiming();
-    ceres::Solve(ceres_reference::options(solver, 100, kStopAt), &model->problem, &summary);
+    ceres::Solve(test::ceres_reference::options(solver, 100, kStopAt), &model->problem, &summary);
     state.PauseTiming();
     model.reset();
     state.ResumeTiming();

@@ -42,7 +42,7 @@ std::string small_map(int maps, bool patches) {
   stored.depths = {1, 2, 0, 3};
   if (patches) stored.patches.resize(4);
   const auto features = std::make_shared<const stdc::FrameFeatures>(camera, std::move(stored));
-  stdc::Map atlas;
+  stdc::Atlas atlas;
   for (int frame = 0; frame < 2 * maps; ++frame) {
     const bool second = frame % 2 == 1;
     const stdc::KeyframeId id =

@@ -185,13 +185,13 @@ TEST_F(Fusing, ObservationsAreAlignedToTheOldest) {
     room.atlas.observe(id(0), room.views[0].keypoint_of(point), landmark);
     room.atlas.refresh(landmark);
     const Eigen::Vector2f before = room.atlas.keyframe(id(1)).measurements[there].seen;
-    if (!fuse_landmark(room.map, id(1), landmark, room.scene.camera, noise, search)) continue;
+    if (!fuse_landmark(room.atlas, id(1), landmark, room.scene.camera, noise, search)) continue;
     ++fused;
     moved += room.atlas.keyframe(id(1)).measurements[there].seen != before ? 1 : 0;
   }
   EXPECT_GT(fused, 30);
   EXPECT_GT(moved, fused / 2);
-  test::expect_consistent(room.map);
+  test::expect_consistent(room.atlas);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ MappedScene make_scene(int points = 150, bool removed = true) {
 TEST(MapFile, EverythingComesBack) {
   const TestFolder folder;
   const MappedScene mapped = make_scene();
-  const auto path = folder / "room.map";
+  const auto path = folder / "room.atlas";
   save_map(path, mapped.scene.camera, mapped.atlas);
   const StoredMap stored = load_map(path);
   EXPECT_EQ(stored.camera.fx, mapped.scene.camera.fx);

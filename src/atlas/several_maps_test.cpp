@@ -23,8 +23,8 @@ struct TwoMaps : MappedScene {
 constexpr KeyframeId id(std::uint32_t value) { return {value}; }
 
 TEST(Atlas, MapsOfOneRoomShareNothing) {
-  const TwoMaps atlas;
-  const Atlas& atlas = atlas.atlas;
+  const TwoMaps two;
+  const Atlas& atlas = two.atlas;
   EXPECT_EQ(atlas.map_count(), 2);
   EXPECT_EQ(atlas.root(0), id(0));
   EXPECT_EQ(atlas.root(1), id(3));
@@ -36,48 +36,48 @@ TEST(Atlas, MapsOfOneRoomShareNothing) {
 
 TEST(Atlas, NumbersAreGivenInTheOrderOfTheMaps) {
   EXPECT_EQ(Atlas().map_count(), 0);
-  TwoMaps atlas;
-  atlas.start_map();
-  EXPECT_EQ(atlas.number, 2);
-  atlas.add(atlas.scene.look(Pose()));
-  EXPECT_EQ(atlas.atlas.root(2), id(6));
-  atlas.atlas.join(2, 1);
-  EXPECT_EQ(atlas.atlas.map_count(), 3);
-  atlas.start_map();
-  EXPECT_EQ(atlas.number, 3) << "a number is never given again";
-  atlas.add(atlas.scene.look(Pose()));
-  EXPECT_EQ(atlas.atlas.map_of(id(7)), 3);
-  test::expect_consistent(atlas.atlas);
+  TwoMaps two;
+  two.start_map();
+  EXPECT_EQ(two.number, 2);
+  two.add(two.scene.look(Pose()));
+  EXPECT_EQ(two.atlas.root(2), id(6));
+  two.atlas.join(2, 1);
+  EXPECT_EQ(two.atlas.map_count(), 3);
+  two.start_map();
+  EXPECT_EQ(two.number, 3) << "a number is never given again";
+  two.add(two.scene.look(Pose()));
+  EXPECT_EQ(two.atlas.map_of(id(7)), 3);
+  test::expect_consistent(two.atlas);
 }
 
 TEST(Atlas, AParentIsNeverOfAnotherMap) {
-  TwoMaps atlas;
+  TwoMaps two;
   // The newest keyframe of the older map sees nothing that any other sees, and the one before it is of the
-  // other map.
-  atlas.number = 0;
-  const KeyframeId alone = atlas.add_bare(atlas.scene.look(camera_at(0.4, 0, 0)));
-  atlas.atlas.update_covisibility(alone);
-  EXPECT_EQ(atlas.atlas.keyframe(alone).parent, id(2));
-  test::expect_consistent(atlas.atlas);
-  atlas.atlas.remove(id(2));
-  EXPECT_EQ(atlas.atlas.keyframe(alone).parent, id(0)) << "that of its parent";
-  test::expect_consistent(atlas.atlas);
+  // other atlas.
+  two.number = 0;
+  const KeyframeId alone = two.add_bare(two.scene.look(camera_at(0.4, 0, 0)));
+  two.atlas.update_covisibility(alone);
+  EXPECT_EQ(two.atlas.keyframe(alone).parent, id(2));
+  test::expect_consistent(two.atlas);
+  two.atlas.remove(id(2));
+  EXPECT_EQ(two.atlas.keyframe(alone).parent, id(0)) << "that of its parent";
+  test::expect_consistent(two.atlas);
 }
 
 TEST(Atlas, NoRootCanBeRemoved) {
-  TwoMaps atlas;
-  atlas.atlas.remove(id(0));
-  atlas.atlas.remove(id(3));
-  EXPECT_TRUE(atlas.atlas.has(id(0)) && atlas.atlas.has(id(3)));
-  EXPECT_EQ(atlas.atlas.keyframe_count(), 6);
-  atlas.atlas.remove(id(4));
-  EXPECT_EQ(atlas.atlas.keyframe_count(1), 2);
-  test::expect_consistent(atlas.atlas);
+  TwoMaps two;
+  two.atlas.remove(id(0));
+  two.atlas.remove(id(3));
+  EXPECT_TRUE(two.atlas.has(id(0)) && two.atlas.has(id(3)));
+  EXPECT_EQ(two.atlas.keyframe_count(), 6);
+  two.atlas.remove(id(4));
+  EXPECT_EQ(two.atlas.keyframe_count(1), 2);
+  test::expect_consistent(two.atlas);
 }
 
 TEST(Atlas, JoinedMapsAreOneTree) {
-  TwoMaps atlas;
-  Atlas& atlas = atlas.atlas;
+  TwoMaps two;
+  Atlas& atlas = two.atlas;
   atlas.remove(id(4));
   EXPECT_EQ(atlas.map_of(id(4)), 1) << "it is remembered whose it was";
   const Pose before = atlas.keyframe(id(5)).cam_from_world;
@@ -95,8 +95,8 @@ TEST(Atlas, JoinedMapsAreOneTree) {
 }
 
 TEST(Atlas, WhatWasARootIsAKeyframeLikeOthersAfterwards) {
-  TwoMaps atlas;
-  Atlas& atlas = atlas.atlas;
+  TwoMaps two;
+  Atlas& atlas = two.atlas;
   atlas.join(1, 0);
   const Pose before = atlas.keyframe(id(3)).cam_from_world;
   atlas.remove(id(3));
@@ -106,18 +106,18 @@ TEST(Atlas, WhatWasARootIsAKeyframeLikeOthersAfterwards) {
   const Pose after = ancestor.cam_from_ancestor * atlas.keyframe(id(0)).cam_from_world;
   EXPECT_LT(test::centre_error(before, after), 1e-12);
   test::expect_consistent(atlas);
-  atlas.number = 0;
-  const KeyframeId next = atlas.add_bare(atlas.scene.look(camera_at(0.3, 0, 0)));
+  two.number = 0;
+  const KeyframeId next = two.add_bare(two.scene.look(camera_at(0.3, 0, 0)));
   atlas.update_covisibility(next);
   EXPECT_EQ(atlas.keyframe(next).parent, id(5)) << "it follows on those that came by the joining";
   test::expect_consistent(atlas);
 }
 
 TEST(Atlas, MapsAreJoinedInAChain) {
-  TwoMaps atlas;
-  Atlas& atlas = atlas.atlas;
-  atlas.start_map();
-  for (int k = 0; k < 3; ++k) atlas.add(atlas.scene.look(camera_at(0.05 * k, 0, 0)));
+  TwoMaps two;
+  Atlas& atlas = two.atlas;
+  two.start_map();
+  for (int k = 0; k < 3; ++k) two.add(two.scene.look(camera_at(0.05 * k, 0, 0)));
   atlas.remove(id(7));
   atlas.join(2, 1);
   atlas.join(1, 0);
@@ -129,8 +129,8 @@ TEST(Atlas, MapsAreJoinedInAChain) {
 }
 
 TEST(Atlas, TiesStandOnBothSidesAndInOrder) {
-  TwoMaps atlas;
-  Atlas& atlas = atlas.atlas;
+  TwoMaps two;
+  Atlas& atlas = two.atlas;
   atlas.add_loop_edge(id(1), id(2));
   atlas.add_loop_edge(id(1), id(0));
   atlas.add_loop_edge(id(2), id(1));
@@ -145,12 +145,12 @@ TEST(Atlas, TiesStandOnBothSidesAndInOrder) {
 }
 
 TEST(Atlas, AMapOfWhatAnotherHeldKnowsItsRoots) {
-  TwoMaps atlas;
-  atlas.atlas.add_loop_edge(id(3), id(5));
+  TwoMaps two;
+  two.atlas.add_loop_edge(id(3), id(5));
   std::vector<Keyframe> keyframes;
   std::vector<Landmark> landmarks;
-  for (const KeyframeId k : atlas.atlas.keyframe_ids()) keyframes.push_back(atlas.atlas.keyframe(k));
-  for (const LandmarkId l : atlas.atlas.landmark_ids()) landmarks.push_back(atlas.atlas.landmark(l));
+  for (const KeyframeId k : two.atlas.keyframe_ids()) keyframes.push_back(two.atlas.keyframe(k));
+  for (const LandmarkId l : two.atlas.landmark_ids()) landmarks.push_back(two.atlas.landmark(l));
   Atlas again(std::move(keyframes), std::move(landmarks));
   EXPECT_EQ(again.map_count(), 2);
   EXPECT_EQ(again.root(1), id(3));
@@ -162,31 +162,31 @@ TEST(Atlas, AMapOfWhatAnotherHeldKnowsItsRoots) {
 
 /// Keyframes come, are tied and go; maps begin and are joined.
 TEST(Atlas, SurvivesARandomLife) {
-  MappedScene atlas(Scene(60));
-  Atlas& atlas = atlas.atlas;
+  MappedScene two(Scene(60));
+  Atlas& atlas = two.atlas;
   Random random(11);
   const auto one_of = [&](const std::vector<KeyframeId>& ids) {
     return ids[random.below(static_cast<std::uint32_t>(ids.size()))];
   };
   int joined = 0;
   for (int step = 0; step < 120; ++step) {
-    if (step % 15 == 14) atlas.start_map();
-    atlas.add(atlas.scene.look(camera_at(random.uniform(0, 1), 0, 0)));
-    const std::vector<KeyframeId> here = atlas.keyframe_ids(atlas.number);
+    if (step % 15 == 14) two.start_map();
+    two.add(two.scene.look(camera_at(random.uniform(0, 1), 0, 0)));
+    const std::vector<KeyframeId> here = atlas.keyframe_ids(two.number);
     const KeyframeId a = one_of(here), b = one_of(here);
     if (a != b) atlas.add_loop_edge(a, b);
     const std::vector<KeyframeId> all = atlas.keyframe_ids();
     if (all.size() > 14) atlas.remove(one_of(all));
     if (step % 40 == 39) {
-      for (int into = 0; into < atlas.number; ++into) {
+      for (int into = 0; into < two.number; ++into) {
         if (!atlas.root(into).valid()) continue;
-        atlas.join(atlas.number, into);
-        atlas.number = into;
+        atlas.join(two.number, into);
+        two.number = into;
         ++joined;
         break;
       }
     }
-    for (LandmarkId& landmark : atlas.landmarks) {
+    for (LandmarkId& landmark : two.landmarks) {
       if (landmark.valid() && !atlas.has(landmark)) landmark = {};
     }
     test::expect_consistent(atlas);

@@ -13,7 +13,7 @@ namespace stdc::test {
 
 inline std::string bytes_of(const Camera& camera, const Atlas& atlas) {
   std::ostringstream stream;
-  write_map(stream, camera, map);
+  write_map(stream, camera, atlas);
   return stream.str();
 }
 

@@ -196,13 +196,13 @@ struct MappedScene {
   KeyframeId add_bare(const View& view) {
     views.push_back(view);
     const int frame = 10 * static_cast<int>(views.size() - 1);
-    return map.add_keyframe({frame, frame / 30.0, view.cam_from_world, view.motion, view.features,
-                             measure_keypoints(scene.camera, view.motion, *view.features), number});
+    return atlas.add_keyframe({frame, frame / 30.0, view.cam_from_world, view.motion, view.features,
+                               measure_keypoints(scene.camera, view.motion, *view.features), number});
   }
 
   /// From now on keyframes are added to another map, which knows nothing of those before.
   void start_map() {
-    number = map.map_count();
+    number = atlas.map_count();
     landmarks.assign(landmarks.size(), {});
   }
 
@@ -211,11 +211,11 @@ struct MappedScene {
     const KeyframeId id = add_bare(view);
     for (int i = 0; i < view.features->size(); ++i) {
       LandmarkId& landmark = landmarks[view.points[i]];
-      if (!landmark.valid()) landmark = map.add_landmark(scene.points[view.points[i]].position, id);
-      map.observe(id, i, landmark);
-      map.refresh(landmark);
+      if (!landmark.valid()) landmark = atlas.add_landmark(scene.points[view.points[i]].position, id);
+      atlas.observe(id, i, landmark);
+      atlas.refresh(landmark);
     }
-    map.update_covisibility(id);
+    atlas.update_covisibility(id);
     return id;
   }
 };

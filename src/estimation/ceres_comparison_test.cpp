@@ -19,10 +19,10 @@ BundleSettings to_the_end() {
 /// The minimum is flat along the way of a long chain of cameras: `pose_tolerance` [m, rad].
 void expect_equal_minimum(const test::Options& options, double pose_tolerance) {
   test::Scene scene = test::make_scene(options);
-  const auto model = ceres_reference::make_bundle(scene.camera, scene.problem, scene.sigma);
+  const auto model = test::ceres_reference::make_bundle(scene.camera, scene.problem, scene.sigma);
   const double initial = model->cost();
   ceres::Solver::Summary summary;
-  ceres::Solve(ceres_reference::options(ceres::SPARSE_SCHUR, 200, 1e-12), &model->problem, &summary);
+  ceres::Solve(test::ceres_reference::options(ceres::SPARSE_SCHUR, 200, 1e-12), &model->problem, &summary);
 
   const BundleResult result = bundle_adjust(scene.camera, scene.problem, scene.sigma, to_the_end());
   ASSERT_TRUE(result.usable);
@@ -62,9 +62,9 @@ TEST(CeresComparison, PoseReachesTheSameMinimum) {
   const test::PoseScene scene = test::make_pose_scene(options, 200);
   Random random(9);
   const Pose initial = test::disturbed(scene.truth, random, 0.05, 0.03);
-  const auto model = ceres_reference::make_pose(scene.camera, scene.observations, initial, scene.sigma);
+  const auto model = test::ceres_reference::make_pose(scene.camera, scene.observations, initial, scene.sigma);
   ceres::Solver::Summary summary;
-  ceres::Solve(ceres_reference::options(ceres::DENSE_QR, 100, 0), &model->problem, &summary);
+  ceres::Solve(test::ceres_reference::options(ceres::DENSE_QR, 100, 0), &model->problem, &summary);
 
   const auto result = optimise_pose(scene.camera, scene.observations, initial, scene.sigma, {});
   ASSERT_TRUE(result.usable);

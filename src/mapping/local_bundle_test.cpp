@@ -152,7 +152,8 @@ TEST_F(LocalBundle, NothingToAdjustLeavesTheMapAsItWas) {
   test::MappedScene lonely(test::Scene(30));
   lonely.add_bare(lonely.scene.look(Pose()));
   lonely.add_bare(lonely.scene.look(test::camera_at(0.1, 0, 0)));
-  const LocalBundleReport report = adjust_locally(lonely.map, {1}, lonely.scene.camera, noise, {}, settings);
+  const LocalBundleReport report =
+      adjust_locally(lonely.atlas, {1}, lonely.scene.camera, noise, {}, settings);
   EXPECT_EQ(report.observations, 0);
   EXPECT_TRUE(same_bytes(lonely.atlas.keyframe({1}).cam_from_world, lonely.views[1].cam_from_world));
 }

@@ -115,12 +115,12 @@ TEST(LocalMapper, UnseenLandmarksAreCulledAfterTheirProbation) {
   const test::Scene phantoms(200, false, 55);
   test::MappedScene alone(phantoms);
   alone.add(phantoms.look(Pose()));
-  mapper.process(alone.map, {0});
+  mapper.process(alone.atlas, {0});
   const int before = alone.atlas.landmark_count();
   for (int k = 1; k < 4; ++k) {
     alone.add_bare(mapped.scene.look(test::camera_at(0.05 * k, 0, 0)));
-    mapper.process(alone.map, {static_cast<std::uint32_t>(k)});
-    test::expect_consistent(alone.map);
+    mapper.process(alone.atlas, {static_cast<std::uint32_t>(k)});
+    test::expect_consistent(alone.atlas);
   }
   EXPECT_GT(before, 80);
   for (const LandmarkId id : alone.atlas.landmark_ids()) EXPECT_GE(static_cast<int>(id.value), before);
