@@ -20,7 +20,7 @@ Atlas::Atlas(std::vector<Keyframe> keyframes, std::vector<Landmark> landmarks)
       keyframe_count_(static_cast<int>(keyframes.size())),
       landmark_count_(static_cast<int>(landmarks.size())) {
   for (Keyframe& keyframe : keyframes) {
-    const auto number = static_cast<std::size_t>(keyframe.map);
+    const std::size_t number = keyframe.map.value;
     if (roots_.size() <= number) roots_.resize(number + 1);
     if (!keyframe.parent.valid()) roots_[number] = keyframe.id;
     keyframes_.push_back(std::make_unique<Keyframe>(std::move(keyframe)));
@@ -32,7 +32,7 @@ KeyframeId Atlas::add_keyframe(const NewKeyframe& made_of) {
   auto keyframe = std::make_unique<Keyframe>();
   keyframe->id = {static_cast<std::uint32_t>(keyframes_.size())};
   keyframe->map = made_of.map;
-  if (made_of.map == map_count()) roots_.push_back(keyframe->id);
+  if (made_of.map == next_map()) roots_.push_back(keyframe->id);
   keyframe->frame = made_of.frame;
   keyframe->timestamp = made_of.timestamp;
   keyframe->cam_from_world = made_of.cam_from_world;
@@ -110,7 +110,7 @@ void Atlas::remove(KeyframeId id) {
     if (landmark.valid() && has(landmark)) refresh(landmark);
   }
   for (const Covisible& c : keyframe.covisible) set_covisible(c.keyframe, id, 0);
-  for (const KeyframeId tied : keyframe.loops) std::erase(keyframes_[tied.value]->loops, id);
+  for (const KeyframeId other : keyframe.loops) std::erase(keyframes_[other.value]->loops, id);
   reparent_children(keyframe);
   const Pose& parent_from_world = keyframes_[keyframe.parent.value]->cam_from_world;
   removed_[id.value] = std::make_unique<Removed>(
@@ -154,13 +154,13 @@ void Atlas::refresh_geometry(LandmarkId id) {
   landmark.min_distance = landmark.max_distance / features.scale(features.levels() - 1);
 }
 
-int Atlas::keyframe_count(int map) const {
+int Atlas::keyframe_count(MapId map) const {
   return static_cast<int>(std::count_if(keyframes_.begin(), keyframes_.end(), [map](const auto& keyframe) {
     return keyframe != nullptr && keyframe->map == map;
   }));
 }
 
-std::vector<KeyframeId> Atlas::keyframe_ids(int map) const {
+std::vector<KeyframeId> Atlas::keyframe_ids(MapId map) const {
   std::vector<KeyframeId> ids = keyframe_ids();
   std::erase_if(ids, [&](KeyframeId id) { return keyframe(id).map != map; });
   return ids;

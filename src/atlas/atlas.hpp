@@ -18,7 +18,7 @@ struct NewKeyframe {
   CameraMotion motion;
   std::shared_ptr<const FrameFeatures> features;
   std::vector<Measurement> measurements;  ///< per keypoint
-  int map = 0;                            ///< number of its map; `map_count()` starts another one
+  MapId map{0};                           ///< to which it belongs; `next_map()` starts another one
 };
 
 /// Landmarks, keyframes and who sees whom. The map owns both; everyone else holds ids. Not synchronised: one
@@ -88,17 +88,19 @@ class Atlas {
   };
   KeptAncestor resolve(KeyframeId id) const;
 
-  /// Numbers of maps given so far.
+  /// Maps begun so far, those that were joined to others included: their ids are 0 .. map_count() - 1.
   int map_count() const { return static_cast<int>(roots_.size()); }
+  /// The id that the next map will have.
+  MapId next_map() const { return {static_cast<std::uint32_t>(roots_.size())}; }
   /// The oldest keyframe of a map; invalid if it was joined to another.
-  KeyframeId root(int map) const { return roots_[map]; }
+  KeyframeId root(MapId map) const { return roots_[map.value]; }
   /// The map that a keyframe, even a removed one, belongs to.
-  int map_of(KeyframeId id) const { return keyframe(resolve(id).keyframe).map; }
-  int keyframe_count(int map) const;
+  MapId map_of(KeyframeId id) const { return keyframe(resolve(id).keyframe).map; }
+  int keyframe_count(MapId map) const;
   /// Keyframes of a map, by id.
-  std::vector<KeyframeId> keyframe_ids(int map) const;
+  std::vector<KeyframeId> keyframe_ids(MapId map) const;
   /// All of `from` now belongs to the older map `into`. What is where is for the caller to see to.
-  void join(int from, int into);
+  void join(MapId from, MapId into);
   /// Notes that a loop ties two keyframes to each other.
   void add_loop_edge(KeyframeId a, KeyframeId b);
 
@@ -124,7 +126,7 @@ class Atlas {
   std::vector<std::unique_ptr<Keyframe>> keyframes_;
   std::vector<std::unique_ptr<Landmark>> landmarks_;
   std::vector<std::unique_ptr<Removed>> removed_;  ///< by keyframe id
-  std::vector<KeyframeId> roots_;                  ///< by map number
+  std::vector<KeyframeId> roots_;                  ///< by map id
   int keyframe_count_ = 0, landmark_count_ = 0;
 };
 

@@ -31,7 +31,7 @@ void Atlas::update_covisibility(KeyframeId id) {
   }
   std::sort(covisible.begin(), covisible.end(), more_shared);
   keyframe.covisible = std::move(covisible);
-  if (keyframe.parent.valid() || roots_[keyframe.map] == id) return;
+  if (keyframe.parent.valid() || roots_[keyframe.map.value] == id) return;
   for (const Covisible& c : keyframe.covisible) {
     if (!(c.keyframe < id)) continue;
     keyframe.parent = c.keyframe;
@@ -81,12 +81,12 @@ Atlas::KeptAncestor Atlas::resolve(KeyframeId id) const {
   return ancestor;
 }
 
-void Atlas::join(int from, int into) {
+void Atlas::join(MapId from, MapId into) {
   for (const auto& keyframe : keyframes_) {
     if (keyframe != nullptr && keyframe->map == from) keyframe->map = into;
   }
-  keyframes_[roots_[from].value]->parent = roots_[into];
-  roots_[from] = {};
+  keyframes_[roots_[from.value].value]->parent = roots_[into.value];
+  roots_[from.value] = {};
 }
 
 void Atlas::add_loop_edge(KeyframeId a, KeyframeId b) {

@@ -7,17 +7,17 @@ namespace {
 
 /// The maps are numbered in the order of their roots, and each is a tree of its own.
 void check_maps(const RecordReader& in, const std::vector<Keyframe>& keyframes) {
-  int maps = 0;
+  std::uint32_t maps = 0;
   for (const Keyframe& keyframe : keyframes) {
     if (keyframe.parent.valid()) {
       in.check(keyframes[keyframe.parent.value].map == keyframe.map, "a parent is of another map");
     } else {
-      in.check(keyframe.map == maps++, "a map has not one root");
+      in.check(keyframe.map.value == maps++, "a map has not one root");
     }
   }
 }
 
-/// What a keyframe says of others holds: they are there and of its map, and ties are mutual.
+/// What a keyframe says of others holds: they are there and of its map, and loop edges are mutual.
 void check_relations(const RecordReader& in, const std::vector<Keyframe>& keyframes) {
   for (const Keyframe& keyframe : keyframes) {
     const auto check_there = [&](KeyframeId id) {
@@ -25,10 +25,10 @@ void check_relations(const RecordReader& in, const std::vector<Keyframe>& keyfra
       in.check(keyframes[id.value].map == keyframe.map, "a keyframe knows one of another map");
     };
     for (const Covisible& c : keyframe.covisible) check_there(c.keyframe);
-    for (const KeyframeId tied : keyframe.loops) {
-      check_there(tied);
-      const auto& back = keyframes[tied.value].loops;
-      in.check(std::binary_search(back.begin(), back.end(), keyframe.id), "a tie is not mutual");
+    for (const KeyframeId other : keyframe.loops) {
+      check_there(other);
+      const auto& back = keyframes[other.value].loops;
+      in.check(std::binary_search(back.begin(), back.end(), keyframe.id), "a loop edge is not mutual");
     }
   }
 }

@@ -45,7 +45,7 @@ class Fusing : public ::testing::Test {
     return landmark;
   }
   bool fuse(std::uint32_t keyframe, LandmarkId landmark) {
-    return fuse_landmark(atlas(), id(keyframe), landmark, mapped.scene.camera, noise, search);
+    return fuse_landmark(atlas(), id(keyframe), landmark, {mapped.scene.camera, noise}, search);
   }
 
   test::MappedScene mapped;
@@ -104,7 +104,7 @@ TEST_F(Fusing, TheGivenOneStaysIfThatIsWanted) {
 TEST_F(Fusing, AKeyframeThatSawBothKeepsTheObservationOfTheOneThatStays) {
   const int twin = points[1];
   const LandmarkId stays = make(points[0], {0, 1, 2}), goes = make(twin, {1});
-  merge_landmarks(atlas(), goes, stays, mapped.scene.camera, noise);
+  merge_landmarks(atlas(), goes, stays, {mapped.scene.camera, noise});
   EXPECT_FALSE(atlas().has(goes));
   EXPECT_EQ(atlas().keypoint_of(stays, id(1)), keypoint(points[0], 1));
   EXPECT_FALSE(standing(twin, 1).valid());
@@ -185,7 +185,7 @@ TEST_F(Fusing, ObservationsAreAlignedToTheOldest) {
     room.atlas.observe(id(0), room.views[0].keypoint_of(point), landmark);
     room.atlas.refresh(landmark);
     const Eigen::Vector2f before = room.atlas.keyframe(id(1)).measurements[there].seen;
-    if (!fuse_landmark(room.atlas, id(1), landmark, room.scene.camera, noise, search)) continue;
+    if (!fuse_landmark(room.atlas, id(1), landmark, {room.scene.camera, noise}, search)) continue;
     ++fused;
     moved += room.atlas.keyframe(id(1)).measurements[there].seen != before ? 1 : 0;
   }

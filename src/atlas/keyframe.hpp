@@ -49,9 +49,9 @@ struct Keyframe {
   std::vector<LandmarkId> landmarks;              ///< per keypoint; invalid: none
   std::vector<Measurement> measurements;          ///< per keypoint
   std::vector<Covisible> covisible;               ///< most shared first, then by id
-  int map = 0;                                    ///< number of the map that it belongs to
+  MapId map{0};                                   ///< to which it belongs
   KeyframeId parent;                              ///< in the map's spanning tree; invalid for its root
-  std::vector<KeyframeId> loops;                  ///< tied to it by a closed loop or a merge, by id
+  std::vector<KeyframeId> loops;                  ///< at the other ends of its loop edges, by id
 };
 
 }  // namespace stdc

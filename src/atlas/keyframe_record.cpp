@@ -75,7 +75,7 @@ std::shared_ptr<const FrameFeatures> get_features(RecordReader& in, const Camera
 }
 
 void put_relations(RecordWriter& out, const Keyframe& keyframe, const NewIds& ids) {
-  out.put(static_cast<std::int32_t>(ids.maps[keyframe.map]));
+  out.put(static_cast<std::int32_t>(ids.maps[keyframe.map.value]));
   out.put(keyframe.parent.valid() ? ids.keyframes[keyframe.parent.value] : KeyframeId::kNone);
   out.put(static_cast<std::uint32_t>(keyframe.covisible.size()));
   for (const Covisible& c : keyframe.covisible) {
@@ -83,12 +83,13 @@ void put_relations(RecordWriter& out, const Keyframe& keyframe, const NewIds& id
     out.put(static_cast<std::int32_t>(c.shared));
   }
   out.put(static_cast<std::uint32_t>(keyframe.loops.size()));
-  for (const KeyframeId tied : keyframe.loops) out.put(ids.keyframes[tied.value]);
+  for (const KeyframeId other : keyframe.loops) out.put(ids.keyframes[other.value]);
 }
 
 void get_relations(RecordReader& in, Keyframe& keyframe) {
   // No map is younger than a keyframe of it.
-  keyframe.map = in.get_number<std::int32_t>(0, static_cast<std::int32_t>(keyframe.id.value & 0x7FFFFFFFU));
+  const auto newest = static_cast<std::int32_t>(keyframe.id.value & 0x7FFFFFFFU);
+  keyframe.map = {static_cast<std::uint32_t>(in.get_number<std::int32_t>(0, newest))};
   keyframe.parent = {in.get<std::uint32_t>()};
   in.check(!keyframe.parent.valid() || keyframe.parent < keyframe.id, "a parent is younger than its child");
   const std::size_t covisible = in.get_count(8);
@@ -101,10 +102,10 @@ void get_relations(RecordReader& in, Keyframe& keyframe) {
   }
   const std::size_t loops = in.get_count(4);
   for (std::size_t k = 0; k < loops; ++k) {
-    const KeyframeId tied{in.get<std::uint32_t>()};
-    in.check(tied != keyframe.id, "a keyframe is tied to itself");
-    in.check(k == 0 || keyframe.loops.back() < tied, "a keyframe's ties are out of order");
-    keyframe.loops.push_back(tied);
+    const KeyframeId other{in.get<std::uint32_t>()};
+    in.check(other != keyframe.id, "a keyframe has a loop edge to itself");
+    in.check(k == 0 || keyframe.loops.back() < other, "a keyframe's loop edges are out of order");
+    keyframe.loops.push_back(other);
   }
 }
 

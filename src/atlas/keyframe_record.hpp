@@ -20,7 +20,7 @@ Pose get_pose(RecordReader& in);
 /// A keyframe with its features, all but its id, which is its place in the file.
 void put_keyframe(RecordWriter& out, const Keyframe& keyframe, const NewIds& ids);
 /// @param id  that it gets; ids of other keyframes and of landmarks are not checked against the whole, but
-///            what is said of one keyframe alone holds: parents and maps are older, ties in order
+///            what is said of one keyframe alone holds: parents and maps are older, loop edges in order
 Keyframe get_keyframe(RecordReader& in, const Camera& camera, KeyframeId id);
 
 }  // namespace stdc

@@ -37,7 +37,7 @@ struct Target {
   Eigen::Vector2f origin = Eigen::Vector2f::Zero();  ///< of the image on its level [px]
 };
 
-std::optional<AlignedObservation> align(const Camera& camera, const NoiseSettings& noise,
+std::optional<AlignedObservation> align(const SensorModel& sensor,
                                         const ReferenceView& reference, const Eigen::Matrix2f& warp,
                                         const Target& target, float reach) {
   const float reference_scale = reference.features->scale_of(reference.keypoint);
@@ -51,8 +51,8 @@ std::optional<AlignedObservation> align(const Camera& camera, const NoiseSetting
   // The reference view may see the landmark a little beside the middle of its patch.
   const Eigen::Vector2f beside = warp * (reference.seen - reference.features->pixel(reference.keypoint));
   const float coarser = std::max(target.scale, reference_scale * std::sqrt(std::abs(warp.determinant())));
-  return AlignedObservation{camera.undistort(raw).cast<float>() + beside,
-                            coarser * static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma)};
+  return AlignedObservation{sensor.camera.undistort(raw).cast<float>() + beside,
+                            coarser * sensor.aligned_scale()};
 }
 
 }  // namespace
@@ -64,13 +64,13 @@ ReferenceView reference_view_of(const Atlas& atlas, const Landmark& landmark) {
           keyframe.measurements[oldest.keypoint].seen};
 }
 
-std::optional<AlignedObservation> align_in_image(const Camera& camera, const NoiseSettings& noise,
+std::optional<AlignedObservation> align_in_image(const SensorModel& sensor,
                                                  const ReferenceView& reference,
                                                  const Eigen::Vector3d& position, const Pose& cam_from_world,
                                                  const FrameFeatures& features, const Pyramid& pyramid,
                                                  const Eigen::Vector2f& start, float reach) {
   if (reference.features->patch(reference.keypoint) == nullptr) return {};
-  const auto warp = warp_from_reference(camera, reference, position, cam_from_world);
+  const auto warp = warp_from_reference(sensor.camera, reference, position, cam_from_world);
   if (!warp) return {};
   const float scale =
       reference.features->scale_of(reference.keypoint) * std::sqrt(std::abs(warp->determinant()));
@@ -78,10 +78,10 @@ std::optional<AlignedObservation> align_in_image(const Camera& camera, const Noi
   const int level = features.nearest_level(scale);
   Target target{pyramid.level(level).view(), features.scale(level), start, Eigen::Vector2f::Zero()};
   target.start = {image_to_level(start.x(), target.scale), image_to_level(start.y(), target.scale)};
-  return align(camera, noise, reference, *warp, target, reach);
+  return align(sensor, reference, *warp, target, reach);
 }
 
-void align_observation(Atlas& atlas, const Camera& camera, const NoiseSettings& noise, LandmarkId landmark_id,
+void align_observation(Atlas& atlas, const SensorModel& sensor, LandmarkId landmark_id,
                        KeyframeId keyframe_id) {
   constexpr float kReach = 3;  // what the stored patch has room for
   const Landmark& landmark = atlas.landmark(landmark_id);
@@ -91,7 +91,7 @@ void align_observation(Atlas& atlas, const Camera& camera, const NoiseSettings& 
   const FrameFeatures& features = *keyframe.features;
   AlignedObservation observation{features.pixel(keypoint), features.scale_of(keypoint)};
   const ReferenceView reference = reference_view_of(atlas, landmark);
-  const auto warp = warp_from_reference(camera, reference, landmark.position, keyframe.cam_from_world);
+  const auto warp = warp_from_reference(sensor.camera, reference, landmark.position, keyframe.cam_from_world);
   const Patch* patch = features.patch(keypoint);
   if (warp && patch != nullptr && reference.features->patch(reference.keypoint) != nullptr) {
     const Eigen::Vector2f middle(Patch::kCentre, Patch::kCentre);
@@ -100,12 +100,12 @@ void align_observation(Atlas& atlas, const Camera& camera, const NoiseSettings& 
     target.origin = Eigen::Vector2f(std::round(image_to_level(raw.x, target.scale)),
                                     std::round(image_to_level(raw.y, target.scale))) -
                     middle;
-    observation = align(camera, noise, reference, *warp, target, kReach).value_or(observation);
+    observation = align(sensor, reference, *warp, target, kReach).value_or(observation);
   }
   const auto z = static_cast<float>((keyframe.cam_from_world * landmark.position).z());
   atlas.set_measurement(
       keyframe_id, keypoint,
-      measure(camera, keyframe.motion, observation.seen, z, features.depth(keypoint), observation.scale));
+      measure(sensor.camera, keyframe.motion, observation.seen, z, features.depth(keypoint), observation.scale));
 }
 
 }  // namespace stdc

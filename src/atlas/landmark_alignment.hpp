@@ -6,7 +6,7 @@
 #include "atlas/atlas.hpp"
 #include "core/camera.hpp"
 #include "core/pose.hpp"
-#include "estimation/noise_settings.hpp"
+#include "estimation/sensor_model.hpp"
 #include "features/detection/pyramid.hpp"
 #include "features/frame_features.hpp"
 
@@ -37,7 +37,7 @@ struct AlignedObservation {
 /// @param start     raw pixel where it is looked for
 /// @param reach     most that it may lie from there [px of the level]
 /// Nothing if the patch cannot be aligned there.
-std::optional<AlignedObservation> align_in_image(const Camera& camera, const NoiseSettings& noise,
+std::optional<AlignedObservation> align_in_image(const SensorModel& sensor,
                                                  const ReferenceView& reference,
                                                  const Eigen::Vector3d& position, const Pose& cam_from_world,
                                                  const FrameFeatures& features, const Pyramid& pyramid,
@@ -46,7 +46,7 @@ std::optional<AlignedObservation> align_in_image(const Camera& camera, const Noi
 /// Aligns the observation of a landmark by a keyframe, whose image is gone, within the keypoint's patch. If
 /// that fails the keypoint's own position is the measurement; the reference view's own observation stays as
 /// it is.
-void align_observation(Atlas& atlas, const Camera& camera, const NoiseSettings& noise, LandmarkId landmark,
+void align_observation(Atlas& atlas, const SensorModel& sensor, LandmarkId landmark,
                        KeyframeId keyframe);
 
 }  // namespace stdc

@@ -73,7 +73,7 @@ TEST_F(Alignment, FindsLandmarksInAnImageToAFractionOfAPixel) {
     const Eigen::Vector2d expected = truth(id, kSecond);
     const Eigen::Vector2f start = expected.cast<float>() + Eigen::Vector2f(1.1F, -0.8F);
     const auto observation = align_in_image(
-        camera(), noise, reference_view_of(mapped.atlas, mapped.atlas.landmark(id)),
+        {camera(), noise}, reference_view_of(mapped.atlas, mapped.atlas.landmark(id)),
         mapped.atlas.landmark(id).position, view.cam_from_world, *view.features, pyramids[1], start, 3);
     if (!observation) continue;
     ++found;
@@ -93,13 +93,13 @@ TEST_F(Alignment, RefusesWhatLooksDifferentOrLiesBehind) {
   const Eigen::Vector2f there = truth(id, kSecond).cast<float>();
   const Pose turned = test::camera_at(0, 0, 0, 0, 3.1);
   EXPECT_FALSE(
-      align_in_image(camera(), noise, reference, position, turned, *view.features, pyramids[1], there, 3));
+      align_in_image({camera(), noise}, reference, position, turned, *view.features, pyramids[1], there, 3));
   Pyramid flat;
   flat.build(cv::Mat(320, 400, CV_8UC1, cv::Scalar(90)), test::scene_feature_settings());
-  EXPECT_FALSE(align_in_image(camera(), noise, reference, position, view.cam_from_world, *view.features, flat,
+  EXPECT_FALSE(align_in_image({camera(), noise}, reference, position, view.cam_from_world, *view.features, flat,
                               there, 3));
   const Eigen::Vector2f outside(-30, 100);
-  EXPECT_FALSE(align_in_image(camera(), noise, reference, position, view.cam_from_world, *view.features,
+  EXPECT_FALSE(align_in_image({camera(), noise}, reference, position, view.cam_from_world, *view.features,
                               pyramids[1], outside, 3));
 }
 
@@ -111,7 +111,7 @@ TEST_F(Alignment, MakesAllObservationsMeanTheSamePoint) {
     const int keypoint = mapped.atlas.keypoint_of(id, kSecond);
     const auto& measurements = mapped.atlas.keyframe(kSecond).measurements;
     const double error = (measurements[keypoint].pixel.cast<double>() - truth(id, kSecond)).norm();
-    align_observation(mapped.atlas, camera(), noise, id, kSecond);
+    align_observation(mapped.atlas, {camera(), noise}, id, kSecond);
     if (measurements[keypoint].scale == mapped.atlas.keyframe(kSecond).features->scale_of(keypoint)) continue;
     ++aligned;
     before += error;
@@ -128,7 +128,7 @@ TEST_F(Alignment, TheAnchorsOwnObservationStays) {
   Measurement marked = mapped.atlas.keyframe(kFirst).measurements[keypoint];
   marked.scale = 0.123F;
   mapped.atlas.set_measurement(kFirst, keypoint, marked);
-  align_observation(mapped.atlas, camera(), noise, id, kFirst);
+  align_observation(mapped.atlas, {camera(), noise}, id, kFirst);
   EXPECT_EQ(mapped.atlas.keyframe(kFirst).measurements[keypoint].scale, 0.123F);
 }
 
@@ -141,7 +141,7 @@ TEST_F(Alignment, AWrongLandmarkFallsBackToTheKeypoint) {
     mapped.atlas.remove_observation(kSecond, keypoint);
     mapped.atlas.remove_observation(kSecond, mapped.atlas.keypoint_of(ids[i], kSecond));
     ASSERT_TRUE(mapped.atlas.observe(kSecond, keypoint, ids[i]));
-    align_observation(mapped.atlas, camera(), noise, ids[i], kSecond);
+    align_observation(mapped.atlas, {camera(), noise}, ids[i], kSecond);
     const Keyframe& view = mapped.atlas.keyframe(kSecond);
     fell_back += view.measurements[keypoint].seen == view.features->pixel(keypoint) ? 1 : 0;
   }

@@ -105,7 +105,7 @@ TEST_F(MapBundles, TheRootOfAnyMapIsFixed) {
   const MapBundle bundle = make_map_bundle(atlas(), {id(6), id(7)}, {});
   EXPECT_EQ(bundle.problem.pose_fixed, (std::vector<std::uint8_t>{1, 0}));
   EXPECT_EQ(bundle.problem.points.size(), landmarks_of(atlas(), {id(6), id(7)}).size());
-  atlas().join(1, 0);
+  atlas().join({1}, {0});
   EXPECT_EQ(make_map_bundle(atlas(), {id(6), id(7)}, {}).problem.pose_fixed,
             (std::vector<std::uint8_t>{0, 0}));
 }

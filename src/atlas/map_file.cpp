@@ -82,8 +82,8 @@ NewIds number_anew(const Atlas& atlas) {
   ids.maps.assign(atlas.map_count(), -1);
   int maps = 0;
   for (const KeyframeId id : atlas.keyframe_ids()) {
-    const int number = atlas.keyframe(id).map;
-    if (atlas.root(number) == id) ids.maps[number] = maps++;
+    const MapId map = atlas.keyframe(id).map;
+    if (atlas.root(map) == id) ids.maps[map.value] = maps++;
   }
   const auto keyframes = static_cast<std::uint32_t>(atlas.keyframe_count());
   std::uint32_t next = 0;

@@ -24,7 +24,7 @@ MappedScene make_atlas() {
     if (k > 0 && k % 3 == 0) mapped.start_map();
     mapped.add(mapped.scene.look(test::camera_at(0.05 * k, 0, 0)));
   }
-  mapped.atlas.join(1, 0);
+  mapped.atlas.join({1}, {0});
   mapped.atlas.add_loop_edge({0}, {3});
   mapped.atlas.add_loop_edge({3}, {2});
   mapped.atlas.remove(KeyframeId{4});
@@ -39,12 +39,12 @@ TEST(AtlasFile, SeveralMapsComeBackNumberedAnew) {
   expect_same(mapped.atlas, stored.atlas);
   test::expect_consistent(stored.atlas);
   EXPECT_EQ(stored.atlas.map_count(), 2) << "the one that was joined to another is none";
-  EXPECT_EQ(stored.atlas.keyframe_count(0), 5);
-  EXPECT_EQ(stored.atlas.keyframe_count(1), 2);
-  EXPECT_EQ(stored.atlas.root(1), KeyframeId{5});
+  EXPECT_EQ(stored.atlas.keyframe_count({0}), 5);
+  EXPECT_EQ(stored.atlas.keyframe_count({1}), 2);
+  EXPECT_EQ(stored.atlas.root({1}), KeyframeId{5});
   EXPECT_EQ(stored.atlas.keyframe({3}).loops, (std::vector<KeyframeId>{{0}, {2}}));
   EXPECT_EQ(bytes_of(stored.camera, stored.atlas), bytes);
-  stored.atlas.join(1, 0);
+  stored.atlas.join({1}, {0});
   test::expect_consistent(stored.atlas);
   EXPECT_EQ(map_of(bytes_of(stored.camera, stored.atlas)).atlas.map_count(), 1);
 }
@@ -72,22 +72,22 @@ TEST(AtlasFile, WhatMapsSayOfEachOtherIsChecked) {
   EXPECT_EQ(complaint([](Keyframes& k) { k[6].parent = {3}; }), "a parent is of another map");
   EXPECT_EQ(complaint([](Keyframes& k) { k[6].parent = {}; }), "a map has not one root");
   EXPECT_EQ(complaint([](Keyframes& k) { k[5].parent = {1}; }), "a number is out of range");
-  EXPECT_EQ(complaint([](Keyframes& k) { k[2].map = 1; }), "a parent is of another map");
+  EXPECT_EQ(complaint([](Keyframes& k) { k[2].map = {1}; }), "a parent is of another map");
   EXPECT_EQ(complaint([](Keyframes& k) {
-              for (Keyframe& keyframe : k) keyframe.map = 0;
+              for (Keyframe& keyframe : k) keyframe.map = {0};
             }),
             "a map has not one root");
   EXPECT_EQ(complaint([](Keyframes& k) {
               k[2].covisible.push_back({{6}, 20});
             }),
             "a keyframe knows one of another map");
-  EXPECT_EQ(complaint([](Keyframes& k) { k[0].loops = {}; }), "a tie is not mutual");
-  EXPECT_EQ(complaint([](Keyframes& k) { k[1].loops = {{1}}; }), "a keyframe is tied to itself");
-  EXPECT_EQ(complaint([](Keyframes& k) { k[3].loops = {{2}, {0}}; }), "a keyframe's ties are out of order");
+  EXPECT_EQ(complaint([](Keyframes& k) { k[0].loops = {}; }), "a loop edge is not mutual");
+  EXPECT_EQ(complaint([](Keyframes& k) { k[1].loops = {{1}}; }), "a keyframe has a loop edge to itself");
+  EXPECT_EQ(complaint([](Keyframes& k) { k[3].loops = {{2}, {0}}; }), "a keyframe's loop edges are out of order");
   EXPECT_EQ(complaint([](Keyframes& k) {
               k[3].loops = {{0}, {0}, {2}};
             }),
-            "a keyframe's ties are out of order");
+            "a keyframe's loop edges are out of order");
   EXPECT_EQ(complaint([](Keyframes& k) {
               k[0].loops = {{3}, {5}};
               k[5].loops = {{0}};

@@ -13,17 +13,17 @@ namespace stdc::test {
 /// Each map is a tree of its own whose root is its oldest keyframe; nothing leads from one to another.
 inline void expect_separate_maps(const Atlas& atlas) {
   int keyframes = 0;
-  for (int number = 0; number < atlas.map_count(); ++number) {
-    const std::vector<KeyframeId> ids = atlas.keyframe_ids(number);
-    EXPECT_EQ(atlas.keyframe_count(number), static_cast<int>(ids.size()));
-    EXPECT_EQ(atlas.root(number), ids.empty() ? KeyframeId() : ids.front());
-    keyframes += atlas.keyframe_count(number);
+  for (MapId map{0}; map < atlas.next_map(); ++map.value) {
+    const std::vector<KeyframeId> ids = atlas.keyframe_ids(map);
+    EXPECT_EQ(atlas.keyframe_count(map), static_cast<int>(ids.size()));
+    EXPECT_EQ(atlas.root(map), ids.empty() ? KeyframeId() : ids.front());
+    keyframes += atlas.keyframe_count(map);
     for (const KeyframeId id : ids) {
       const Keyframe& keyframe = atlas.keyframe(id);
       const auto lies_here = [&](KeyframeId other) {
-        return other != id && atlas.has(other) && atlas.keyframe(other).map == number;
+        return other != id && atlas.has(other) && atlas.keyframe(other).map == map;
       };
-      EXPECT_EQ(atlas.map_of(id), number);
+      EXPECT_EQ(atlas.map_of(id), map);
       if (keyframe.parent.valid()) {
         EXPECT_TRUE(id != ids.front() && lies_here(keyframe.parent) && keyframe.parent < id);
       } else {
@@ -57,9 +57,9 @@ inline void expect_consistent(const Atlas& atlas) {
   }
   for (const LandmarkId id : atlas.landmark_ids()) {
     ASSERT_FALSE(atlas.landmark(id).observations.empty());
-    const int number = atlas.keyframe(atlas.landmark(id).observations.front().keyframe).map;
+    const MapId map = atlas.keyframe(atlas.landmark(id).observations.front().keyframe).map;
     for (const Observation& o : atlas.landmark(id).observations)
-      EXPECT_EQ(atlas.keyframe(o.keyframe).map, number);
+      EXPECT_EQ(atlas.keyframe(o.keyframe).map, map);
     noted += atlas.landmark(id).observations.size();
   }
   EXPECT_EQ(noted, seen);

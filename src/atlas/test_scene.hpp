@@ -188,7 +188,7 @@ struct MappedScene {
   Atlas atlas;
   std::vector<View> views;            ///< per keyframe
   std::vector<LandmarkId> landmarks;  ///< per point of the scene; invalid: not mapped
-  int number = 0;                     ///< of the map that keyframes are added to
+  MapId map{0};                       ///< to which keyframes are added
 
   explicit MappedScene(const Scene& room) : scene(room), landmarks(room.points.size()) {}
 
@@ -197,12 +197,12 @@ struct MappedScene {
     views.push_back(view);
     const int frame = 10 * static_cast<int>(views.size() - 1);
     return atlas.add_keyframe({frame, frame / 30.0, view.cam_from_world, view.motion, view.features,
-                               measure_keypoints(scene.camera, view.motion, *view.features), number});
+                               measure_keypoints(scene.camera, view.motion, *view.features), map});
   }
 
   /// From now on keyframes are added to another map, which knows nothing of those before.
   void start_map() {
-    number = atlas.map_count();
+    map = atlas.next_map();
     landmarks.assign(landmarks.size(), {});
   }
 

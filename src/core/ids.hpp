@@ -20,6 +20,7 @@ struct Id {
 
 using KeyframeId = Id<struct KeyframeTag>;
 using LandmarkId = Id<struct LandmarkTag>;
+using MapId = Id<struct MapTag>;
 
 }  // namespace stdc
 

@@ -37,7 +37,7 @@ struct FeatureExtractor::Implementation {
   explicit Implementation(const FeatureSettings& s) : settings(s) { settings.validate(); }
 
   Cell area(int level) const {
-    const cv::Size size = pyramid.sizes()[at(level)];
+    const cv::Size size = pyramid->sizes()[at(level)];
     return {kBorder, kBorder, size.width - kBorder, size.height - kBorder};
   }
   float scale(int level) const { return static_cast<float>(std::pow(settings.scale_factor, level)); }
@@ -48,7 +48,7 @@ struct FeatureExtractor::Implementation {
   int select_level(int level, int budget, Features& features);
 
   FeatureSettings settings;
-  Pyramid pyramid;
+  std::shared_ptr<Pyramid> pyramid = std::make_shared<Pyramid>();
   std::vector<int> budgets;
   std::vector<std::vector<Corner>> corners;  // by level, at T_L
   std::vector<PaddedImage> smoothed;         // by level
@@ -62,19 +62,21 @@ struct FeatureExtractor::Implementation {
 };
 
 void FeatureExtractor::Implementation::check_detected(const char* what) const {
-  if (pyramid.levels() == 0) throw Error(what, "no image was given", "call detect() before it");
+  if (pyramid->levels() == 0) throw Error(what, "no image was given", "call detect() before it");
 }
 
 void FeatureExtractor::Implementation::detect(const cv::Mat& grey) {
   check_image(grey, "FeatureExtractor::detect");
-  pyramid.build(grey, settings);
-  budgets = level_budgets(settings, pyramid.sizes());
-  corners.resize(at(pyramid.levels()));
-  smoothed.resize(at(pyramid.levels()));
-  for (int i = 0; i < pyramid.levels(); ++i) {
+  // A frame that somebody still looks at keeps its pyramid.
+  if (pyramid.use_count() > 1) pyramid = std::make_shared<Pyramid>();
+  pyramid->build(grey, settings);
+  budgets = level_budgets(settings, pyramid->sizes());
+  corners.resize(at(pyramid->levels()));
+  smoothed.resize(at(pyramid->levels()));
+  for (int i = 0; i < pyramid->levels(); ++i) {
     corners[at(i)].clear();
     if (budgets[at(i)] == 0) continue;
-    const ImageView image = pyramid.level(i).view();
+    const ImageView image = pyramid->level(i).view();
     find_fast_corners(image, kBorder, settings.threshold_low, corners[at(i)]);
     gaussian_blur(image, smoothed[at(i)]);
   }
@@ -84,7 +86,7 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
   check_detected("FeatureExtractor::reject");
   if (dynamic_mask.empty()) return;
   check_image(dynamic_mask, "FeatureExtractor::reject");
-  if (dynamic_mask.size() != pyramid.sizes()[0]) {
+  if (dynamic_mask.size() != pyramid->sizes()[0]) {
     throw Error("FeatureExtractor::reject", "the mask is not of the size of the image", "resize the mask");
   }
   dynamic.set(dynamic_mask);
@@ -92,10 +94,10 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
   // The circle of FAST and the smoothing of the pixels beside the corner stay off the dynamic object; to keep
   // the whole descriptor patch off would cost the static points near people, which hold the pose best.
   constexpr float kMargin = 4;  // level pixels
-  for (int level = 0; level < pyramid.levels(); ++level) {
+  for (int level = 0; level < pyramid->levels(); ++level) {
     const float s = scale(level);
     dynamic.spread(static_cast<int>(std::lround(kMargin * s)));
-    const cv::Size size = pyramid.sizes()[at(level)];
+    const cv::Size size = pyramid->sizes()[at(level)];
     nearest.resize(at(std::max(size.width, size.height)));
     for (std::size_t x = 0; x < nearest.size(); ++x)
       nearest[x] = static_cast<int>(std::lround(level_to_image(static_cast<float>(x), s)));
@@ -106,7 +108,7 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
 }
 
 int FeatureExtractor::Implementation::select_level(int level, int budget, Features& features) {
-  const ImageView image = pyramid.level(level).view();
+  const ImageView image = pyramid->level(level).view();
   candidates = chooser.choose(corners[at(level)], area(level), budget, settings);
   if (settings.selection == Selection::improved) {
     for (Candidate& candidate : candidates)
@@ -137,7 +139,7 @@ Features FeatureExtractor::Implementation::select() {
   features.descriptors.reserve(at(settings.keypoints));
   cells.clear();
   int unspent = 0;
-  for (int level = 0; level < pyramid.levels(); ++level) {
+  for (int level = 0; level < pyramid->levels(); ++level) {
     if (budgets[at(level)] == 0) continue;
     const int budget = budgets[at(level)] + unspent;
     unspent = budget - select_level(level, budget, features);
@@ -162,7 +164,7 @@ Features FeatureExtractor::select() { return implementation_->select(); }
 int FeatureExtractor::levels(cv::Size image_size) const {
   return level_count(implementation_->settings, image_size);
 }
-const Pyramid& FeatureExtractor::pyramid() const { return implementation_->pyramid; }
+std::shared_ptr<const Pyramid> FeatureExtractor::pyramid() const { return implementation_->pyramid; }
 float FeatureExtractor::scale(int level) const { return implementation_->scale(level); }
 const FeatureSettings& FeatureExtractor::settings() const { return implementation_->settings; }
 const std::vector<SelectionCell>& FeatureExtractor::cells() const { return implementation_->cells; }

@@ -48,8 +48,8 @@ class FeatureExtractor {
   /// Scale of a level: level-0 pixels per pixel of that level, scale_factor^level.
   float scale(int level) const;
   const FeatureSettings& settings() const;
-  /// The pyramid of the last image, until the next detect().
-  const Pyramid& pyramid() const;
+  /// The pyramid of the last image. It stays as it is as long as somebody holds it.
+  std::shared_ptr<const Pyramid> pyramid() const;
   /// The quadtree cells of the keypoints that the last select() gave, in their order.
   const std::vector<SelectionCell>& cells() const;
 

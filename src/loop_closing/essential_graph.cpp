@@ -30,8 +30,8 @@ std::vector<KeyframeId> links_of(const Keyframe& keyframe, int strong_link) {
   for (const Covisible& c : keyframe.covisible) {
     if (c.shared >= strong_link && c.keyframe < keyframe.id) links.push_back(c.keyframe);
   }
-  for (const KeyframeId tied : keyframe.loops) {
-    if (tied < keyframe.id) links.push_back(tied);
+  for (const KeyframeId other : keyframe.loops) {
+    if (other < keyframe.id) links.push_back(other);
   }
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
@@ -40,19 +40,19 @@ std::vector<KeyframeId> links_of(const Keyframe& keyframe, int strong_link) {
 
 class Builder {
  public:
-  Builder(const Atlas& atlas, int number) : map_(atlas), keyframes_(atlas.keyframe_ids(number)) {
+  Builder(const Atlas& atlas, MapId map) : atlas_(atlas), keyframes_(atlas.keyframe_ids(map)) {
     node_.resize(atlas.keyframe_id_limit(), -1);
     for (const KeyframeId id : keyframes_) {
       node_[id.value] = static_cast<std::int32_t>(graph_.node_from_world.size());
       graph_.node_from_world.push_back(atlas.keyframe(id).cam_from_world);
     }
     graph_.fixed.resize(keyframes_.size(), 0);
-    graph_.fixed[node_[atlas.root(number).value]] = 1;
+    graph_.fixed[node_[atlas.root(map).value]] = 1;
   }
 
   void fix(KeyframeId id) { graph_.fixed[node_[id.value]] = 1; }
   void add(KeyframeId a, KeyframeId b, const Pose& a_from_world, const Pose& b_from_world) {
-    const int shared = shared_landmarks(map_.keyframe(a), b);
+    const int shared = shared_landmarks(atlas_.keyframe(a), b);
     graph_.edges.push_back({node_[a.value], node_[b.value], a_from_world * b_from_world.inverse(),
                             information_of(shared), false});
   }
@@ -61,7 +61,7 @@ class Builder {
   PoseGraph& graph() { return graph_; }
 
  private:
-  const Atlas& map_;
+  const Atlas& atlas_;
   std::vector<KeyframeId> keyframes_;
   std::vector<std::int32_t> node_;
   PoseGraph graph_;
@@ -69,9 +69,9 @@ class Builder {
 
 }  // namespace
 
-PoseGraphResult optimise_essential_graph(Atlas& atlas, int number, const LoopEnds& ends,
+PoseGraphResult optimise_essential_graph(Atlas& atlas, MapId map, const LoopEnds& ends,
                                          const PoseGraphSettings& graph, const LoopSettings& settings) {
-  Builder builder(atlas, number);
+  Builder builder(atlas, map);
   for (const KeyframeId id : ends.fixed) builder.fix(id);
   std::vector<LoopLink> links;
   for (const auto& [a, b] : ends.links) links.push_back(ordered(a, b));

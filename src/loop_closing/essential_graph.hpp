@@ -25,7 +25,7 @@ struct LoopEnds {
 /// optimised from the poses that the keyframes have now (Mur-Artal, Montiel and Tardos, 'ORB-SLAM', T-RO
 /// 2015, sec. III-E and VII-C; with RGB-D the scale is known: SE(3)). A link weighs as much as its keyframes
 /// share landmarks. Landmarks are left where they are.
-PoseGraphResult optimise_essential_graph(Atlas& atlas, int number, const LoopEnds& ends,
+PoseGraphResult optimise_essential_graph(Atlas& atlas, MapId map, const LoopEnds& ends,
                                          const PoseGraphSettings& graph, const LoopSettings& settings);
 
 }  // namespace stdc

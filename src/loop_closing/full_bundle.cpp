@@ -6,11 +6,11 @@
 
 namespace stdc {
 
-FullBundle::FullBundle(const Atlas& atlas, int number)
-    : number_(number), bundle_(make_map_bundle(atlas, atlas.keyframe_ids(number), {})) {}
+FullBundle::FullBundle(const Atlas& atlas, MapId map)
+    : map_(map), bundle_(make_map_bundle(atlas, atlas.keyframe_ids(map), {})) {}
 
-void FullBundle::solve(const Camera& camera, const NoiseSettings& noise, const BundleSettings& settings) {
-  result_ = bundle_adjust(camera, bundle_.problem, noise, settings);
+void FullBundle::solve(const SensorModel& sensor, const BundleSettings& settings) {
+  result_ = bundle_adjust(sensor.camera, bundle_.problem, sensor.noise, settings);
 }
 
 bool FullBundle::apply(Atlas& atlas) const {
@@ -22,14 +22,14 @@ bool FullBundle::apply(Atlas& atlas) const {
     after[bundle_.keyframes[i].value] = bundle_.problem.cam_from_world[i];
     adjusted[bundle_.keyframes[i].value] = 1;
   }
-  for (const KeyframeId id : atlas.keyframe_ids(number_)) {  // parents come before their children
+  for (const KeyframeId id : atlas.keyframe_ids(map_)) {  // parents come before their children
     const KeyframeId parent = atlas.keyframe(id).parent;
     if (adjusted[id.value] == 0 && parent.valid()) {
       after[id.value] = before[id.value] * before[parent.value].inverse() * after[parent.value];
     }
     atlas.set_pose(id, after[id.value]);
   }
-  std::vector<LandmarkId> carried = landmarks_of(atlas, atlas.keyframe_ids(number_));
+  std::vector<LandmarkId> carried = landmarks_of(atlas, atlas.keyframe_ids(map_));
   std::erase_if(carried, [&](LandmarkId id) {
     return std::binary_search(bundle_.landmarks.begin(), bundle_.landmarks.end(), id);
   });
@@ -38,14 +38,14 @@ bool FullBundle::apply(Atlas& atlas) const {
     if (atlas.has(bundle_.landmarks[point]))
       atlas.set_position(bundle_.landmarks[point], bundle_.problem.points[point]);
   }
-  forget_outliers(atlas);
+  remove_outliers(atlas);
   for (const LandmarkId id : bundle_.landmarks) {
     if (atlas.has(id)) atlas.refresh_geometry(id);
   }
   return true;
 }
 
-void FullBundle::forget_outliers(Atlas& atlas) const {
+void FullBundle::remove_outliers(Atlas& atlas) const {
   for (std::size_t i = 0; i < bundle_.keypoints.size(); ++i) {
     if (result_.inlier[i] != 0) continue;
     const BundleObservation& seen = bundle_.problem.observations[i];

@@ -2,7 +2,7 @@
 
 #include "atlas/map_bundle.hpp"
 #include "core/camera.hpp"
-#include "estimation/noise_settings.hpp"
+#include "estimation/sensor_model.hpp"
 
 namespace stdc {
 
@@ -13,10 +13,10 @@ namespace stdc {
 class FullBundle {
  public:
   /// Copies all that is known of the map; its root is fixed.
-  FullBundle(const Atlas& atlas, int number);
+  FullBundle(const Atlas& atlas, MapId map);
 
   /// Optimises the copy; needs no map.
-  void solve(const Camera& camera, const NoiseSettings& noise, const BundleSettings& settings);
+  void solve(const SensorModel& sensor, const BundleSettings& settings);
   /// Takes the solution in. False, and nothing is changed, if it is not usable.
   bool apply(Atlas& atlas) const;
 
@@ -24,9 +24,9 @@ class FullBundle {
   int observations() const { return static_cast<int>(bundle_.keypoints.size()); }
 
  private:
-  void forget_outliers(Atlas& atlas) const;
+  void remove_outliers(Atlas& atlas) const;
 
-  int number_;
+  MapId map_;
   MapBundle bundle_;
   BundleResult result_;
 };

@@ -55,7 +55,7 @@ TEST(FullBundle, MendsAWholeMap) {
   ASSERT_GT(worst_error(mapped.atlas), 0.03);
   FullBundle bundle(mapped.atlas, 0);
   EXPECT_EQ(bundle.keyframes(), 8);
-  bundle.solve(mapped.scene.camera, {}, {});
+  bundle.solve({mapped.scene.camera, {}}, {});
   EXPECT_TRUE(bundle.apply(mapped.atlas));
   EXPECT_LT(worst_error(mapped.atlas), 0.006);
   EXPECT_EQ(mapped.atlas.keyframe({0}).cam_from_world.translation, place(0).translation) << "the world stays";
@@ -65,7 +65,7 @@ TEST(FullBundle, WhatCameInTheMeantimeMovesAlong) {
   MappedScene mapped = mapped_scene(6);
   shake(mapped.atlas);
   FullBundle bundle(mapped.atlas, 0);
-  bundle.solve(mapped.scene.camera, {}, {});
+  bundle.solve({mapped.scene.camera, {}}, {});
   // A keyframe that was placed relative to its shaken parent, with a landmark of its own.
   const test::View view = mapped.scene.look(place(6), options(6));
   const Pose off = place(5).inverse() * mapped.atlas.keyframe({5}).cam_from_world;
@@ -92,7 +92,7 @@ TEST(FullBundle, WhatHasGoneInTheMeantimeIsPassedOver) {
   MappedScene mapped = mapped_scene(6);
   shake(mapped.atlas);
   FullBundle bundle(mapped.atlas, 0);
-  bundle.solve(mapped.scene.camera, {}, {});
+  bundle.solve({mapped.scene.camera, {}}, {});
   mapped.atlas.remove(KeyframeId{3});
   mapped.atlas.remove(mapped.atlas.landmark_ids()[5]);
   EXPECT_TRUE(bundle.apply(mapped.atlas));
@@ -109,7 +109,7 @@ TEST(FullBundle, LeavesOtherMapsAlone) {
   mapped.atlas.set_pose({5}, before);
   FullBundle bundle(mapped.atlas, 0);
   EXPECT_EQ(bundle.keyframes(), 4);
-  bundle.solve(mapped.scene.camera, {}, {});
+  bundle.solve({mapped.scene.camera, {}}, {});
   EXPECT_TRUE(bundle.apply(mapped.atlas));
   EXPECT_EQ(mapped.atlas.keyframe({5}).cam_from_world.translation, before.translation);
 }
@@ -117,7 +117,7 @@ TEST(FullBundle, LeavesOtherMapsAlone) {
 TEST(FullBundle, AnUnusableSolutionChangesNothing) {
   Atlas atlas;
   FullBundle bundle(atlas, 0);
-  bundle.solve(Camera(), {}, {});
+  bundle.solve({Camera(), {}}, {});
   EXPECT_FALSE(bundle.apply(atlas));
 }
 

@@ -37,8 +37,8 @@ std::vector<KeyframeId> neighbours_by_id(const Keyframe& keyframe) {
   return ids;
 }
 
-Ends find_ends(const Atlas& atlas, const VerifiedLoop& loop, int window) {
-  Ends ends{{}, place_window(atlas, loop.matched, window), {}, KeyframeSet(atlas), {}};
+Ends find_ends(const Atlas& atlas, const VerifiedLoop& loop) {
+  Ends ends{{}, loop.place, {}, KeyframeSet(atlas), {}};
   ends.of_place = landmarks_of(atlas, ends.place);
   for (const LandmarkId id : ends.of_place) {
     for (const Observation& o : atlas.landmark(id).observations) ends.sees_place.add(o.keyframe);
@@ -58,9 +58,9 @@ Ends find_ends(const Atlas& atlas, const VerifiedLoop& loop, int window) {
 /// of the place's map.
 void join_maps(Atlas& atlas, const VerifiedLoop& loop) {
   const Keyframe& current = atlas.keyframe(loop.current);
-  const int of_current = current.map, of_place = atlas.keyframe(loop.matched).map;
+  const MapId of_current = current.map, of_place = atlas.keyframe(loop.matched).map;
   const bool current_is_younger = of_current > of_place;
-  const int younger = std::max(of_current, of_place), older = std::min(of_current, of_place);
+  const MapId younger = std::max(of_current, of_place), older = std::min(of_current, of_place);
   const Pose place_from_current = loop.cam_from_world.inverse() * current.cam_from_world;
   const std::vector<KeyframeId> moved = atlas.keyframe_ids(younger);
   move_rigidly(atlas, moved, landmarks_of(atlas, moved),
@@ -98,9 +98,9 @@ int take_observations(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& 
     const LandmarkId standing = atlas.keyframe(loop.current).landmarks[s.keypoint];
     if (standing == s.landmark) continue;
     if (standing.valid()) {
-      merge_landmarks(atlas, standing, s.landmark, tools.camera, tools.noise);
+      merge_landmarks(atlas, standing, s.landmark, tools.sensor);
     } else if (atlas.observe(loop.current, s.keypoint, s.landmark)) {
-      align_observation(atlas, tools.camera, tools.noise, s.landmark, loop.current);
+      align_observation(atlas, tools.sensor, s.landmark, loop.current);
     }
     ++taken;
   }
@@ -115,7 +115,7 @@ std::vector<LoopLink> fuse_ends(const LoopTools& tools, Atlas& atlas, const Veri
   for (const KeyframeId keyframe : ends.window) {
     for (const LandmarkId landmark : ends.of_place) {
       if (atlas.has(landmark))
-        fused += fuse_landmark(atlas, keyframe, landmark, tools.camera, tools.noise, search) ? 1 : 0;
+        fused += fuse_landmark(atlas, keyframe, landmark, tools.sensor, search) ? 1 : 0;
     }
   }
   std::vector<LoopLink> links{{loop.current, loop.matched}};
@@ -132,51 +132,53 @@ std::vector<LoopLink> fuse_ends(const LoopTools& tools, Atlas& atlas, const Veri
   return links;
 }
 
-/// Adjusts both ends of a seam together. Returns the keyframes that it may have moved.
-std::vector<KeyframeId> weld(const LoopTools& tools, Atlas& atlas, const Ends& ends) {
+/// Adjusts both ends of a merge together. Returns the keyframes that it may have moved.
+std::vector<KeyframeId> adjust_seam(const LoopTools& tools, Atlas& atlas, const Ends& ends) {
   std::vector<KeyframeId> moving = ends.window;
   for (const KeyframeId id : ends.place) {
     if (std::find(moving.begin(), moving.end(), id) == moving.end()) moving.push_back(id);
   }
   constexpr int kFixed = 20;
   MapBundle bundle = make_map_bundle(atlas, moving, other_observers(atlas, moving, kFixed));
-  const BundleResult result = bundle_adjust(tools.camera, bundle.problem, tools.noise, tools.bundle);
+  const BundleResult result = bundle_adjust(tools.sensor.camera, bundle.problem, tools.sensor.noise, tools.bundle);
   apply_bundle(atlas, bundle, result);
   return moving;
 }
 
 }  // namespace
 
-LoopCorrection close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop) {
-  LoopCorrection correction;
-  correction.merged = atlas.keyframe(loop.current).map != atlas.keyframe(loop.matched).map;
-  correction.drift =
+LoopReport close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop) {
+  LoopReport report;
+  report.frame = atlas.keyframe(loop.current).frame;
+  report.matched_frame = atlas.keyframe(loop.matched).frame;
+  report.merged = atlas.keyframe(loop.current).map != atlas.keyframe(loop.matched).map;
+  report.drift =
       (atlas.keyframe(loop.current).cam_from_world.centre() - loop.cam_from_world.centre()).norm();
   Pose corrected_from_world;
-  if (correction.merged) {
+  if (report.merged) {
     join_maps(atlas, loop);
   } else {
     corrected_from_world = loop.cam_from_world.inverse() * atlas.keyframe(loop.current).cam_from_world;
   }
-  const int number = atlas.keyframe(loop.current).map;
-  const Ends ends = find_ends(atlas, loop, tools.settings.window);
+  const MapId map = atlas.keyframe(loop.current).map;
+  const Ends ends = find_ends(atlas, loop);
   LoopEnds known{keyframe_poses(atlas), {}, {}};
   const LandmarkCarriers carriers = move_window(atlas, ends, corrected_from_world);
-  known.links = fuse_ends(tools, atlas, loop, ends, correction.fused);
+  known.links = fuse_ends(tools, atlas, loop, ends, report.fused);
   const KeyframePoses corrected = keyframe_poses(atlas);
-  std::vector<LandmarkId> carried = landmarks_of(atlas, atlas.keyframe_ids(number));
-  if (correction.merged) {
-    known.fixed = weld(tools, atlas, ends);
-    // The weld has placed its landmarks itself.
-    const std::vector<LandmarkId> welded = landmarks_of(atlas, known.fixed);
-    carried = landmarks_of(atlas, atlas.keyframe_ids(number));
+  std::vector<LandmarkId> carried = landmarks_of(atlas, atlas.keyframe_ids(map));
+  if (report.merged) {
+    known.fixed = adjust_seam(tools, atlas, ends);
+    // The adjustment has placed its landmarks itself.
+    const std::vector<LandmarkId> placed = landmarks_of(atlas, known.fixed);
+    carried = landmarks_of(atlas, atlas.keyframe_ids(map));
     std::erase_if(carried,
-                  [&](LandmarkId id) { return std::binary_search(welded.begin(), welded.end(), id); });
+                  [&](LandmarkId id) { return std::binary_search(placed.begin(), placed.end(), id); });
   }
-  optimise_essential_graph(atlas, number, known, tools.graph, tools.settings);
+  optimise_essential_graph(atlas, map, known, tools.graph, tools.settings);
   carry_landmarks(atlas, carried, corrected, carriers);
-  correction.keyframes = atlas.keyframe_count(number);
-  return correction;
+  report.keyframes = atlas.keyframe_count(map);
+  return report;
 }
 
 }  // namespace stdc

@@ -1,27 +1,28 @@
 #pragma once
 
 #include "atlas/atlas.hpp"
-#include "core/camera.hpp"
 #include "estimation/bundle_adjustment.hpp"
-#include "estimation/noise_settings.hpp"
 #include "estimation/pose_graph.hpp"
+#include "estimation/sensor_model.hpp"
 #include "loop_closing/loop_settings.hpp"
 #include "place_recognition/loop_verification.hpp"
 
 namespace stdc {
 
-/// What closing a loop did.
-struct LoopCorrection {
-  bool merged = false;  ///< two maps became one
-  int keyframes = 0;    ///< of the map that was corrected
-  int fused = 0;        ///< landmarks that turned out to be one, and new observations
-  double drift = 0;     ///< [m] between where the keyframe was thought to be and where it is
+/// A loop that was closed.
+struct LoopReport {
+  bool merged = false;               ///< the place was in another map: the two are one now
+  int frame = 0, matched_frame = 0;  ///< input frames of the keyframes that see the same place
+  int keyframes = 0;                 ///< of the map that was corrected
+  int fused = 0;                     ///< landmarks that turned out to be one, and new observations
+  double drift = 0;  ///< [m] between where the keyframe was thought to be and where it is; of no meaning if merged
+  double detection_ms = 0;   ///< wall, of the mapping thread: finding and verifying it
+  double correction_ms = 0;  ///< wall, of the mapping thread
 };
 
 /// What it takes to close a loop.
 struct LoopTools {
-  Camera camera;
-  NoiseSettings noise;
+  SensorModel sensor;
   BundleSettings bundle;
   PoseGraphSettings graph;
   LoopSettings settings;
@@ -32,8 +33,9 @@ struct LoopTools {
 /// Tardos, 'ORB-SLAM', T-RO 2015, sec. VII-C).
 ///
 /// If the place belongs to another map the two become one: the younger one is moved rigidly to where it fits
-/// and joined to the older one, the seam is welded by a bundle adjustment of both neighbourhoods, and the
+/// and joined to the older one, a bundle adjustment of both neighbourhoods joins them, and the
 /// essential graph spreads what that moved (Campos et al., 'ORB-SLAM3', T-RO 2021, sec. VI-B).
-LoopCorrection close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop);
+/// The times of the report are left to the caller.
+LoopReport close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& loop);
 
 }  // namespace stdc

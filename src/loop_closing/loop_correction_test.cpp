@@ -17,11 +17,11 @@ using test::centre_error;
 using test::Revisit;
 using test::Scene;
 
-LoopTools tools_for(const Revisit& revisit) { return {revisit.mapped.scene.camera, {}, {}, {}, {}}; }
+LoopTools tools_for(const Revisit& revisit) { return {{revisit.mapped.scene.camera, {}}, {}, {}, {}}; }
 
-LoopCorrection close(Revisit& revisit, KeyframeId current, KeyframeId matched) {
+LoopReport close(Revisit& revisit, KeyframeId current, KeyframeId matched) {
   const LoopTools tools = tools_for(revisit);
-  const auto loop = verify_loop(tools.camera, revisit.mapped.atlas, current, matched, {}, {}, tools.settings);
+  const auto loop = verify_loop({tools.sensor, {}}, revisit.mapped.atlas, current, matched, {});
   EXPECT_TRUE(loop);
   return close_loop(tools, revisit.mapped.atlas, *loop);
 }
@@ -59,14 +59,14 @@ double reprojection_error(const Revisit& revisit) {
   return errors[errors.size() * 9 / 10];
 }
 
-TEST(LoopCorrection, BringsTheSecondVisitToTheFirst) {
+TEST(LoopReport, BringsTheSecondVisitToTheFirst) {
   Revisit revisit{Scene(500)};
   revisit.visit_first(6);
   revisit.visit_second(revisit.mapped.scene, 6);
   std::vector<Pose> truth;
   for (const KeyframeId id : revisit.second) truth.push_back(revisit.truth(id));
   const int landmarks = revisit.mapped.atlas.landmark_count();
-  const LoopCorrection done = close(revisit, revisit.second[4], revisit.first[4]);
+  const LoopReport done = close(revisit, revisit.second[4], revisit.first[4]);
   const Atlas& atlas = revisit.mapped.atlas;
   EXPECT_FALSE(done.merged);
   EXPECT_EQ(done.keyframes, 12);
@@ -84,7 +84,7 @@ TEST(LoopCorrection, BringsTheSecondVisitToTheFirst) {
   expect_whole(atlas);
 }
 
-TEST(LoopCorrection, TheVisitsSeeEachOtherAfterwards) {
+TEST(LoopReport, TheVisitsSeeEachOtherAfterwards) {
   Revisit revisit{Scene(500)};
   revisit.visit_first(5);
   revisit.visit_second(revisit.mapped.scene, 5);
@@ -96,7 +96,7 @@ TEST(LoopCorrection, TheVisitsSeeEachOtherAfterwards) {
   EXPECT_GE(across, 3);
 }
 
-TEST(LoopCorrection, SameBytesEveryTime) {
+TEST(LoopReport, SameBytesEveryTime) {
   const auto run = [] {
     Revisit revisit{Scene(400)};
     revisit.visit_first(4);
@@ -118,12 +118,12 @@ Revisit two_maps() {
   return revisit;
 }
 
-void expect_merged(Revisit& revisit, const LoopCorrection& done, const std::vector<Pose>& truth) {
+void expect_merged(Revisit& revisit, const LoopReport& done, const std::vector<Pose>& truth) {
   const Atlas& atlas = revisit.mapped.atlas;
   EXPECT_TRUE(done.merged);
   EXPECT_EQ(done.keyframes, 10);
-  EXPECT_FALSE(atlas.root(1).valid());
-  EXPECT_EQ(atlas.keyframe_count(0), 10);
+  EXPECT_FALSE(atlas.root({1}).valid());
+  EXPECT_EQ(atlas.keyframe_count({0}), 10);
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_LT(centre_error(atlas.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.02) << i;
     EXPECT_LT(angle_error(atlas.keyframe(revisit.second[i]).cam_from_world, truth[i]), 0.01) << i;
@@ -132,7 +132,7 @@ void expect_merged(Revisit& revisit, const LoopCorrection& done, const std::vect
   EXPECT_LT(reprojection_error(revisit), 3);
 }
 
-TEST(LoopCorrection, MergesTheYoungerMapIntoTheOlder) {
+TEST(LoopReport, MergesTheYoungerMapIntoTheOlder) {
   Revisit revisit = two_maps();
   ASSERT_EQ(revisit.mapped.atlas.map_count(), 2);
   std::vector<Pose> truth;
@@ -140,7 +140,7 @@ TEST(LoopCorrection, MergesTheYoungerMapIntoTheOlder) {
   expect_merged(revisit, close(revisit, revisit.second[2], revisit.first[2]), truth);
 }
 
-TEST(LoopCorrection, AlsoWhenTheCameraIsInTheOlder) {
+TEST(LoopReport, AlsoWhenTheCameraIsInTheOlder) {
   Revisit revisit = two_maps();
   std::vector<Pose> truth;
   for (const KeyframeId id : revisit.second) truth.push_back(revisit.truth(id));

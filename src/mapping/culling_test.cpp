@@ -115,7 +115,7 @@ TEST(KeyframeCulling, TheRootOfAYoungerMapStays) {
   for (int k = 0; k < 5; ++k) mapped.add(mapped.scene.look(test::camera_at(0.001 * k, 0, 0)));
   EXPECT_EQ(cull_keyframes(mapped.atlas, {9}, 10, {}), 2);
   EXPECT_TRUE(mapped.atlas.has(KeyframeId{5}));
-  EXPECT_EQ(mapped.atlas.keyframe_count(0), 5) << "the other map is not touched";
+  EXPECT_EQ(mapped.atlas.keyframe_count({0}), 5) << "the other map is not touched";
   test::expect_consistent(mapped.atlas);
 }
 

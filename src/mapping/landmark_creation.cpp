@@ -129,20 +129,19 @@ bool scales_agree(const View& a, const View& b, const KeypointPair& pair, const 
 }
 
 /// The older of the two observations defines the landmark, the younger is aligned to it.
-void anchor_new(Atlas& atlas, const Camera& camera, const NoiseSettings& noise, LandmarkId id) {
+void anchor_new(Atlas& atlas, const SensorModel& sensor, LandmarkId id) {
   const std::vector<Observation>& observations = atlas.landmark(id).observations;
   const Observation& oldest = observations.front();
   const Keyframe& keyframe = atlas.keyframe(oldest.keyframe);
   Measurement measurement = keyframe.measurements[oldest.keypoint];
-  measurement.scale = keyframe.features->scale_of(oldest.keypoint) *
-                      static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
+  measurement.scale = keyframe.features->scale_of(oldest.keypoint) * sensor.aligned_scale();
   atlas.set_measurement(oldest.keyframe, oldest.keypoint, measurement);
-  align_observation(atlas, camera, noise, id, observations.back().keyframe);
+  align_observation(atlas, sensor, id, observations.back().keyframe);
 }
 
 }  // namespace
 
-int create_landmarks(Atlas& atlas, KeyframeId keyframe, const Camera& camera, const NoiseSettings& noise,
+int create_landmarks(Atlas& atlas, KeyframeId keyframe, const SensorModel& sensor,
                      const MappingSettings& settings) {
   constexpr double kMinBaseline = 0.02;  // [m]; below it the epipolar lines say nothing
   int created = 0;
@@ -153,18 +152,18 @@ int create_landmarks(Atlas& atlas, KeyframeId keyframe, const Camera& camera, co
     const View b = make_view(atlas, covisible[n].keyframe);
     if ((a.cam_from_world.centre() - b.cam_from_world.centre()).norm() < kMinBaseline) continue;
     for (const KeypointPair& pair :
-         match_along_epipolars(camera, a, b, noise, settings.max_hamming_distance)) {
-      const auto position = locate(camera, a, b, pair, settings.min_parallax);
+         match_along_epipolars(sensor.camera, a, b, sensor.noise, settings.max_hamming_distance)) {
+      const auto position = locate(sensor.camera, a, b, pair, settings.min_parallax);
       if (!position || !position->allFinite()) continue;
-      if (!agrees(camera, a, pair.first, *position, noise) ||
-          !agrees(camera, b, pair.second, *position, noise) || !scales_agree(a, b, pair, *position)) {
+      if (!agrees(sensor.camera, a, pair.first, *position, sensor.noise) ||
+          !agrees(sensor.camera, b, pair.second, *position, sensor.noise) || !scales_agree(a, b, pair, *position)) {
         continue;
       }
       const LandmarkId landmark = atlas.add_landmark(*position, keyframe);
       atlas.observe(a.id, pair.first, landmark);
       atlas.observe(b.id, pair.second, landmark);
       atlas.refresh(landmark);
-      anchor_new(atlas, camera, noise, landmark);
+      anchor_new(atlas, sensor, landmark);
       ++created;
     }
   }

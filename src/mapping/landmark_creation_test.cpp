@@ -23,7 +23,7 @@ struct TwoViews {
     for (const int point : mapped.views[0].points)
       common += point % 3 != 0 && mapped.views[1].keypoint_of(point) >= 0 ? 1 : 0;
   }
-  int create() { return create_landmarks(mapped.atlas, {1}, mapped.scene.camera, noise, settings); }
+  int create() { return create_landmarks(mapped.atlas, {1}, {mapped.scene.camera, noise}, settings); }
   /// Distances of the new landmarks from their points [m], sorted.
   std::vector<double> errors() const {
     std::vector<double> errors;
@@ -114,7 +114,7 @@ TEST(LandmarkCreation, WorksThroughARollingShutter) {
   options.seed = 2;
   test::add_some(mapped, mapped.scene.look(test::camera_at(0.4, 0, 0), options), every_third);
   const int before = mapped.atlas.landmark_count();
-  EXPECT_GT(create_landmarks(mapped.atlas, {1}, mapped.scene.camera, {}, {}), 60);
+  EXPECT_GT(create_landmarks(mapped.atlas, {1}, {mapped.scene.camera, {}}, {}), 60);
   for (const LandmarkId id : mapped.atlas.landmark_ids()) {
     if (static_cast<int>(id.value) < before) continue;
     const Landmark& landmark = mapped.atlas.landmark(id);

@@ -30,7 +30,7 @@ std::vector<KeyframeId> fusion_targets(const Atlas& atlas, KeyframeId keyframe, 
 
 }  // namespace
 
-int fuse_landmarks(Atlas& atlas, KeyframeId keyframe, const Camera& camera, const NoiseSettings& noise,
+int fuse_landmarks(Atlas& atlas, KeyframeId keyframe, const SensorModel& sensor,
                    const MappingSettings& settings) {
   const FuseSearch search{settings.fuse_radius, settings.max_hamming_distance};
   int fused = 0;
@@ -39,7 +39,7 @@ int fuse_landmarks(Atlas& atlas, KeyframeId keyframe, const Camera& camera, cons
     const std::vector<LandmarkId> landmarks = atlas.keyframe(keyframe).landmarks;  // it changes on the way
     for (const LandmarkId landmark : landmarks) {
       if (landmark.valid() && atlas.has(landmark))
-        fused += fuse_landmark(atlas, target, landmark, camera, noise, search);
+        fused += fuse_landmark(atlas, target, landmark, sensor, search);
     }
   }
   std::vector<LandmarkId> candidates;
@@ -51,7 +51,7 @@ int fuse_landmarks(Atlas& atlas, KeyframeId keyframe, const Camera& camera, cons
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   for (const LandmarkId landmark : candidates) {
-    if (atlas.has(landmark)) fused += fuse_landmark(atlas, keyframe, landmark, camera, noise, search);
+    if (atlas.has(landmark)) fused += fuse_landmark(atlas, keyframe, landmark, sensor, search);
   }
   for (const LandmarkId landmark : atlas.keyframe(keyframe).landmarks) {
     if (landmark.valid()) atlas.refresh(landmark);

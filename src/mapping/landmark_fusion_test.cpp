@@ -45,7 +45,7 @@ struct ThreeViews {
         .landmarks[mapped.views[keyframe].keypoint_of(point)];
   }
   int fuse(int keyframe) {
-    return fuse_landmarks(atlas(), {static_cast<std::uint32_t>(keyframe)}, mapped.scene.camera, noise,
+    return fuse_landmarks(atlas(), {static_cast<std::uint32_t>(keyframe)}, {mapped.scene.camera, noise},
                           settings);
   }
 };

@@ -4,8 +4,7 @@
 
 namespace stdc {
 
-LocalBundleReport adjust_locally(Atlas& atlas, KeyframeId keyframe, const Camera& camera,
-                                 const NoiseSettings& noise, const BundleSettings& settings_of_bundle,
+LocalBundleReport adjust_locally(Atlas& atlas, KeyframeId keyframe, const SensorModel& sensor, const BundleSettings& settings_of_bundle,
                                  const MappingSettings& settings) {
   std::vector<KeyframeId> moving{keyframe};
   for (const Covisible& c : atlas.keyframe(keyframe).covisible) {
@@ -17,7 +16,7 @@ LocalBundleReport adjust_locally(Atlas& atlas, KeyframeId keyframe, const Camera
   LocalBundleReport report{bundle.moving, static_cast<int>(bundle.keyframes.size()) - bundle.moving,
                            static_cast<int>(bundle.landmarks.size()),
                            static_cast<int>(bundle.keypoints.size()), 0};
-  const BundleResult result = bundle_adjust(camera, bundle.problem, noise, settings_of_bundle);
+  const BundleResult result = bundle_adjust(sensor.camera, bundle.problem, sensor.noise, settings_of_bundle);
   report.outliers = apply_bundle(atlas, bundle, result);
   return report;
 }

@@ -40,7 +40,7 @@ class LocalBundle : public ::testing::Test {
       mapped.atlas.set_position(id, mapped.atlas.landmark(id).position + normal3(0.02));
   }
   LocalBundleReport adjust(std::uint32_t keyframe) {
-    return adjust_locally(mapped.atlas, {keyframe}, mapped.scene.camera, noise, {}, settings);
+    return adjust_locally(mapped.atlas, {keyframe}, {mapped.scene.camera, noise}, {}, settings);
   }
   double pose_error(std::uint32_t k) const {
     return test::centre_error(mapped.atlas.keyframe({k}).cam_from_world, mapped.views[k].cam_from_world);
@@ -153,7 +153,7 @@ TEST_F(LocalBundle, NothingToAdjustLeavesTheMapAsItWas) {
   lonely.add_bare(lonely.scene.look(Pose()));
   lonely.add_bare(lonely.scene.look(test::camera_at(0.1, 0, 0)));
   const LocalBundleReport report =
-      adjust_locally(lonely.atlas, {1}, lonely.scene.camera, noise, {}, settings);
+      adjust_locally(lonely.atlas, {1}, {lonely.scene.camera, noise}, {}, settings);
   EXPECT_EQ(report.observations, 0);
   EXPECT_TRUE(same_bytes(lonely.atlas.keyframe({1}).cam_from_world, lonely.views[1].cam_from_world));
 }

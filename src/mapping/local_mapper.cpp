@@ -7,12 +7,12 @@
 
 namespace stdc {
 
-LocalMapper::LocalMapper(const Camera& camera, const MappingSettings& settings, const NoiseSettings& noise,
+LocalMapper::LocalMapper(const SensorModel& sensor, const MappingSettings& settings,
                          const BundleSettings& bundle, double close_depth)
-    : camera_(camera), settings_(settings), noise_(noise), bundle_(bundle), close_depth_(close_depth) {}
+    : sensor_(sensor), settings_(settings), bundle_(bundle), close_depth_(close_depth) {}
 
-MappingOutcome LocalMapper::process(Atlas& atlas, KeyframeId keyframe) {
-  MappingOutcome outcome;
+MappingReport LocalMapper::process(Atlas& atlas, KeyframeId keyframe) {
+  MappingReport report;
   Stopwatch watch;
   const std::size_t made_by_mapper = atlas.landmark_id_limit();
   for (const LandmarkId landmark : atlas.keyframe(keyframe).landmarks) {
@@ -22,17 +22,17 @@ MappingOutcome LocalMapper::process(Atlas& atlas, KeyframeId keyframe) {
   }
   atlas.update_covisibility(keyframe);
   cull_landmarks(atlas, recent_, keyframe, settings_);
-  outcome.triangulated = create_landmarks(atlas, keyframe, camera_, noise_, settings_);
+  report.triangulated = create_landmarks(atlas, keyframe, sensor_, settings_);
   for (auto id = static_cast<std::uint32_t>(made_by_mapper); id < atlas.landmark_id_limit(); ++id) {
     recent_.push_back({id});
   }
-  outcome.fused = fuse_landmarks(atlas, keyframe, camera_, noise_, settings_);
-  outcome.total_ms = watch.lap_ms();
-  outcome.bundle = adjust_locally(atlas, keyframe, camera_, noise_, bundle_, settings_);
-  outcome.bundle_ms = watch.lap_ms();
-  outcome.culled_keyframes = cull_keyframes(atlas, keyframe, close_depth_, settings_);
-  outcome.total_ms += outcome.bundle_ms + watch.lap_ms();
-  return outcome;
+  report.fused = fuse_landmarks(atlas, keyframe, sensor_, settings_);
+  report.total_ms = watch.lap_ms();
+  report.bundle = adjust_locally(atlas, keyframe, sensor_, bundle_, settings_);
+  report.bundle_ms = watch.lap_ms();
+  report.culled_keyframes = cull_keyframes(atlas, keyframe, close_depth_, settings_);
+  report.total_ms += report.bundle_ms + watch.lap_ms();
+  return report;
 }
 
 }  // namespace stdc

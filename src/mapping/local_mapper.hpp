@@ -3,18 +3,20 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
-#include "core/camera.hpp"
+#include "estimation/sensor_model.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "mapping/local_bundle.hpp"
 #include "mapping/mapping_settings.hpp"
 
 namespace stdc {
 
-/// What mapping a keyframe did and how long it took (wall milliseconds).
-struct MappingOutcome {
-  int triangulated = 0, fused = 0, culled_keyframes = 0;
-  LocalBundleReport bundle;
-  double total_ms = 0, bundle_ms = 0;
+/// What mapping a keyframe did and how long it took.
+struct MappingReport {
+  double total_ms = 0;                          ///< wall, of the mapping thread
+  double bundle_ms = 0;                         ///< of which local bundle adjustment
+  LocalBundleReport bundle;                     ///< its size
+  int triangulated = 0, fused = 0;              ///< landmarks
+  int culled_keyframes = 0;
 };
 
 /// Works a new keyframe into the map: covisibility, culling of young landmarks, new landmarks, fusion, local
@@ -23,15 +25,14 @@ struct MappingOutcome {
 class LocalMapper {
  public:
   /// @param close_depth  [m] to which depths are relied upon (TrackingSettings::close_depth)
-  LocalMapper(const Camera& camera, const MappingSettings& settings, const NoiseSettings& noise,
-              const BundleSettings& bundle, double close_depth);
+  LocalMapper(const SensorModel& sensor, const MappingSettings& settings, const BundleSettings& bundle,
+              double close_depth);
 
-  MappingOutcome process(Atlas& atlas, KeyframeId keyframe);
+  MappingReport process(Atlas& atlas, KeyframeId keyframe);
 
  private:
-  Camera camera_;
+  SensorModel sensor_;
   MappingSettings settings_;
-  NoiseSettings noise_;
   BundleSettings bundle_;
   double close_depth_;
   std::vector<LandmarkId> recent_;  ///< landmarks on probation

@@ -22,10 +22,10 @@ class Walk {
   }
 
   test::MappedScene mapped;
-  std::vector<MappingOutcome> outcomes;
-  int total(int MappingOutcome::*member) const {
+  std::vector<MappingReport> outcomes;
+  int total(int MappingReport::*member) const {
     int sum = 0;
-    for (const MappingOutcome& outcome : outcomes) sum += outcome.*member;
+    for (const MappingReport& outcome : outcomes) sum += outcome.*member;
     return sum;
   }
 
@@ -80,10 +80,10 @@ TEST(LocalMapper, MapsAWalkToAndFro) {
     EXPECT_LT(test::centre_error(keyframe.cam_from_world, walk.mapped.views[id.value].cam_from_world), 0.01);
     EXPECT_TRUE(id.value == 0 || (keyframe.parent < id && atlas.has(keyframe.parent)));
   }
-  EXPECT_GT(walk.total(&MappingOutcome::triangulated), 40);
-  EXPECT_GT(walk.total(&MappingOutcome::fused), 40);
-  EXPECT_GT(walk.total(&MappingOutcome::culled_keyframes), 3) << "it sees the same again and again";
-  EXPECT_EQ(atlas.keyframe_count() + walk.total(&MappingOutcome::culled_keyframes), 24);
+  EXPECT_GT(walk.total(&MappingReport::triangulated), 40);
+  EXPECT_GT(walk.total(&MappingReport::fused), 40);
+  EXPECT_GT(walk.total(&MappingReport::culled_keyframes), 3) << "it sees the same again and again";
+  EXPECT_EQ(atlas.keyframe_count() + walk.total(&MappingReport::culled_keyframes), 24);
   int mixed = 0;
   std::vector<int> landmarks_of_point(walk.mapped.scene.points.size(), 0);
   for (const LandmarkId id : atlas.landmark_ids()) {
@@ -111,7 +111,7 @@ TEST(LocalMapper, UnseenLandmarksAreCulledAfterTheirProbation) {
   // Noise that the first keyframes put into the map and nobody sees again.
   Walk walk(1);
   test::MappedScene& mapped = walk.mapped;
-  LocalMapper mapper(mapped.scene.camera, {}, {}, {}, 3.2);
+  LocalMapper mapper({mapped.scene.camera, {}}, {}, {}, 3.2);
   const test::Scene phantoms(200, false, 55);
   test::MappedScene alone(phantoms);
   alone.add(phantoms.look(Pose()));

@@ -66,8 +66,8 @@ std::vector<LoopDetector::Group> LoopDetector::find_groups(const Atlas& atlas, c
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Group& a, const Group& b) { return a.score > b.score; });
-  const auto most = static_cast<std::size_t>(settings_.candidates);
-  if (groups.size() > most) groups.resize(most);
+  const auto max_groups = static_cast<std::size_t>(settings_.candidates);
+  if (groups.size() > max_groups) groups.resize(max_groups);
   return groups;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
-#include "loop_closing/loop_settings.hpp"
+#include "place_recognition/place_recognition_settings.hpp"
 #include "place_recognition/place_index.hpp"
 
 namespace stdc {
@@ -14,7 +14,7 @@ namespace stdc {
 /// Tardos, 'Bags of Binary Words', T-RO 2012, sec. V).
 class LoopDetector {
  public:
-  explicit LoopDetector(const LoopSettings& settings = {}) : settings_(settings) {}
+  explicit LoopDetector(const PlaceRecognitionSettings& settings = {}) : settings_(settings) {}
 
   /// To be called for each keyframe in the order of their making; `current` need not be in the index.
   /// Keyframes that share landmarks with it, and their best neighbours, are no loops.
@@ -34,7 +34,7 @@ class LoopDetector {
 
   std::vector<Group> find_groups(const Atlas& atlas, const PlaceIndex& index, KeyframeId current) const;
 
-  LoopSettings settings_;
+  PlaceRecognitionSettings settings_;
   std::vector<Group> last_;
 };
 

@@ -33,7 +33,7 @@ TEST(LoopDetector, FindsAPlaceThatSeveralKeyframesInSuccessionSee) {
   PlaceIndex index = index_of(revisit.mapped.atlas, revisit.first);
   go_elsewhere(revisit, index);
   revisit.visit_second(revisit.mapped.scene, 4);
-  LoopSettings settings;
+  PlaceRecognitionSettings settings;
   settings.consistency = 3;
   LoopDetector detector(settings);
   for (std::size_t k = 0; k < revisit.second.size(); ++k) {
@@ -54,7 +54,7 @@ TEST(LoopDetector, OnePlaceIsNamedOnce) {
   revisit.visit_first(6);
   const PlaceIndex index = index_of(revisit.mapped.atlas, revisit.first);
   revisit.visit_second(revisit.mapped.scene, 1);
-  LoopSettings settings;
+  PlaceRecognitionSettings settings;
   settings.consistency = 1;
   LoopDetector detector(settings);
   EXPECT_EQ(detector.detect(revisit.mapped.atlas, index, revisit.second[0]).size(), 1U);
@@ -64,7 +64,7 @@ TEST(LoopDetector, NeighboursAreNoLoops) {
   Revisit revisit{Scene(400)};
   revisit.visit_first(6);
   const PlaceIndex index = index_of(revisit.mapped.atlas, revisit.first);
-  LoopSettings settings;
+  PlaceRecognitionSettings settings;
   settings.consistency = 1;
   LoopDetector detector(settings);
   for (const KeyframeId id : revisit.first)
@@ -75,7 +75,7 @@ TEST(LoopDetector, WhatLooksMuchLessAlikeThanTheNeighboursIsNoPlace) {
   Revisit revisit{Scene(400)};
   revisit.visit_first(5);
   PlaceIndex index = index_of(revisit.mapped.atlas, revisit.first);
-  LoopSettings settings;
+  PlaceRecognitionSettings settings;
   settings.consistency = 1;
   LoopDetector detector(settings);
   revisit.visit_second(Scene(400, false, 55), 3);
@@ -91,7 +91,7 @@ TEST(LoopDetector, PlacesThatWereRemovedFromTheMapAreIgnored) {
   revisit.visit_second(revisit.mapped.scene, 1);
   revisit.mapped.atlas.remove(revisit.first[1]);
   revisit.mapped.atlas.remove(revisit.first[2]);
-  LoopSettings settings;
+  PlaceRecognitionSettings settings;
   settings.consistency = 1;
   EXPECT_TRUE(LoopDetector(settings).detect(revisit.mapped.atlas, index, revisit.second[0]).empty());
 }

@@ -32,28 +32,28 @@ std::vector<PoseObservation> observe_back(const Camera& camera, const Atlas& atl
   return observations;
 }
 
-/// What the way back says about the pose of the current keyframe.
+/// What the matched image says about the pose of the current keyframe.
 PosePrior prior_from(const PoseOptimisationResult& back, const Pose& matched_from_world) {
   const Pose current_from_matched = back.cam_from_world.inverse();
-  const Matrix6d turn = adjoint(back.cam_from_world);  // its inverse is that of current_from_matched
-  return {current_from_matched * matched_from_world, turn.transpose() * back.information * turn};
+  const Matrix6d change = adjoint(back.cam_from_world);  // its inverse is that of current_from_matched
+  return {current_from_matched * matched_from_world, change.transpose() * back.information * change};
 }
 
 }  // namespace
 
-std::optional<VerifiedLoop> verify_loop(const Camera& camera, const Atlas& atlas, KeyframeId current_id,
-                                        KeyframeId candidate, const NoiseSettings& noise,
-                                        const PoseOptimisationSettings& optimisation,
-                                        const LoopSettings& settings) {
+std::optional<VerifiedLoop> verify_loop(const PoseEstimator& estimator, const Atlas& atlas,
+                                        KeyframeId current_id, KeyframeId candidate,
+                                        const PlaceRecognitionSettings& settings) {
+  const Camera& camera = estimator.sensor.camera;
   const Keyframe& current = atlas.keyframe(current_id);
   const Keyframe& matched = atlas.keyframe(candidate);
-  const auto place = find_in_place(camera, atlas, place_window(atlas, candidate, settings.window),
-                                   {*current.features, current.motion}, noise, optimisation, settings);
+  const std::vector<KeyframeId> window = place_window(atlas, candidate, settings.window);
+  const auto place = find_in_place(estimator, atlas, window, {*current.features, current.motion},
+                                   {settings.min_inliers, settings.min_share}, settings);
   if (!place) return {};
-  const auto back_observations = observe_back(camera, atlas, current, matched, place->observations);
   const PoseOptimisationResult back =
-      optimise_pose(camera, back_observations, matched.cam_from_world * place->cam_from_world.inverse(),
-                    noise, optimisation);
+      estimator.estimate(observe_back(camera, atlas, current, matched, place->observations),
+                         matched.cam_from_world * place->cam_from_world.inverse());
   if (!back.usable || back.inliers < settings.ransac_inliers) return {};
 
   const auto measured = measure_keypoints(camera, current.motion, *current.features);
@@ -62,10 +62,10 @@ std::optional<VerifiedLoop> verify_loop(const Camera& camera, const Atlas& atlas
     const Measurement& m = measured[s.keypoint];
     observations.push_back({atlas.landmark(s.landmark).position, m.pixel.cast<double>(), m.depth, m.scale});
   }
-  const PoseOptimisationResult both = optimise_pose(camera, observations, place->cam_from_world, noise,
-                                                    optimisation, prior_from(back, matched.cam_from_world));
+  const PoseOptimisationResult both =
+      estimator.estimate(observations, place->cam_from_world, prior_from(back, matched.cam_from_world));
   if (!both.usable || both.inliers < settings.min_inliers) return {};
-  VerifiedLoop loop{current_id, candidate, both.cam_from_world, both.information, {}, back.inliers};
+  VerifiedLoop loop{current_id, candidate, window, both.cam_from_world, both.information, {}, back.inliers};
   for (std::size_t i = 0; i < place->observations.size(); ++i) {
     if (both.inlier[i] != 0) loop.observations.push_back(place->observations[i]);
   }

@@ -15,8 +15,8 @@ using test::Revisit;
 using test::Scene;
 
 std::optional<VerifiedLoop> verify(const Revisit& revisit, KeyframeId current, KeyframeId candidate,
-                                   const LoopSettings& settings = {}) {
-  return verify_loop(revisit.mapped.scene.camera, revisit.mapped.atlas, current, candidate, {}, {}, settings);
+                                   const PlaceRecognitionSettings& settings = {}) {
+  return verify_loop({{revisit.mapped.scene.camera, {}}, {}}, revisit.mapped.atlas, current, candidate, settings);
 }
 
 TEST(LoopVerification, MeasuresTheDrift) {
@@ -76,7 +76,7 @@ TEST(LoopVerification, TheSameThingInAnotherRoomIsNoLoop) {
   }
   ASSERT_GT(copied, 30);
   revisit.visit_second(other, 3);
-  LoopSettings trusting;
+  PlaceRecognitionSettings trusting;
   trusting.min_inliers = 20;
   trusting.min_share = 0;
   EXPECT_TRUE(verify(revisit, revisit.second[0], revisit.first[0], trusting)) << "it does look like one";

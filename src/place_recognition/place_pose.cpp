@@ -1,8 +1,8 @@
 #include "place_recognition/place_pose.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "atlas/visibility.hpp"
 #include "estimation/pose_ransac.hpp"
 #include "features/description/hamming.hpp"
 #include "features/description/matching.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 /// Matches by descriptor to each keyframe of the window; each keypoint and each landmark keeps its nearest.
 std::vector<PlaceObservation> match_window(const Atlas& atlas, const std::vector<KeyframeId>& window,
-                                           const FrameFeatures& image, const LoopSettings& settings) {
+                                           const FrameFeatures& image, const PlaceRecognitionSettings& settings) {
   constexpr int kNone = 257;
   struct Best {
     LandmarkId landmark;
@@ -66,13 +66,12 @@ std::vector<PoseObservation> observe(const Atlas& atlas, const std::vector<Measu
   return observations;
 }
 
-/// Optimises the pose and drops the observations that do not agree. False if fewer than `least` do.
-bool refine(const Camera& camera, const Atlas& atlas, const std::vector<Measurement>& measurements,
-            const NoiseSettings& noise, const PoseOptimisationSettings& optimisation, int least,
-            PlacePose& place) {
-  const PoseOptimisationResult result = optimise_pose(
-      camera, observe(atlas, measurements, place.observations), place.cam_from_world, noise, optimisation);
-  if (!result.usable || result.inliers < least) return false;
+/// Optimises the pose and drops the observations that do not agree. False if fewer than `min_inliers` do.
+bool refine(const PoseEstimator& estimator, const Atlas& atlas, const std::vector<Measurement>& measurements,
+            int min_inliers, PlacePose& place) {
+  const PoseOptimisationResult result =
+      estimator.estimate(observe(atlas, measurements, place.observations), place.cam_from_world);
+  if (!result.usable || result.inliers < min_inliers) return false;
   place.cam_from_world = result.cam_from_world;
   place.information = result.information;
   std::size_t kept = 0;
@@ -83,31 +82,10 @@ bool refine(const Camera& camera, const Atlas& atlas, const std::vector<Measurem
   return true;
 }
 
-/// Where a landmark should be seen, if it should.
-std::optional<SearchWindow> expected_at(const Camera& camera, const Landmark& landmark,
-                                        const Pose& cam_from_world, const ImageOfPlace& image,
-                                        double radius) {
-  const Eigen::Vector3d point = cam_from_world * landmark.position;
-  if (!(point.z() > 0.05)) return {};
-  const Eigen::Vector2f pixel = image.motion.project(camera, point).cast<float>();
-  const auto width = static_cast<float>(camera.width), height = static_cast<float>(camera.height);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < width && pixel.y() < height)) return {};
-  const Eigen::Vector3f ray = (landmark.position - cam_from_world.centre()).cast<float>();
-  const float distance = ray.norm();
-  if (distance < 0.8F * landmark.min_distance || distance > 1.2F * landmark.max_distance) return {};
-  if (ray.dot(landmark.direction) < 0.5F * distance) return {};  // seen from more than 60 degrees aside
-  const FrameFeatures& features = image.features;
-  const int top = features.levels() - 1;
-  const auto level = std::clamp(
-      static_cast<int>(std::ceil(std::log(landmark.max_distance / distance) / features.log_scale_factor())),
-      0, top);
-  return SearchWindow{pixel.x(), pixel.y(), static_cast<float>(radius) * features.scale(level),
-                      std::max(level - 1, 0), std::min(level + 1, top)};
-}
-
 /// Looks for the place's other landmarks; appends what it finds and counts what should be seen.
 void match_guided(const Camera& camera, const Atlas& atlas, const std::vector<KeyframeId>& window,
-                  const ImageOfPlace& image, const LoopSettings& settings, PlacePose& place) {
+                  const ImageOfPlace& image, const PlaceRecognitionSettings& settings, PlacePose& place) {
+  const ViewingImage view(camera, place.cam_from_world, image.motion, image.features);
   std::vector<std::uint8_t> taken(image.features.size(), 0), done(atlas.landmark_id_limit(), 0);
   place.visible = static_cast<int>(place.observations.size());
   for (const PlaceObservation& s : place.observations) taken[s.keypoint] = done[s.landmark.value] = 1;
@@ -116,10 +94,11 @@ void match_guided(const Camera& camera, const Atlas& atlas, const std::vector<Ke
       if (!id.valid() || done[id.value] != 0) continue;
       done[id.value] = 1;
       const Landmark& landmark = atlas.landmark(id);
-      const auto at = expected_at(camera, landmark, place.cam_from_world, image, settings.guided_radius);
-      if (!at) continue;
+      const auto expected = view.expect(landmark);
+      if (!expected) continue;
       ++place.visible;
-      const BestMatch best = match_in_window(image.features, landmark.descriptor, *at, taken);
+      const BestMatch best = match_in_window(image.features, landmark.descriptor,
+                                             view.window(*expected, settings.guided_radius, 1), taken);
       if (!best.accepted(settings.max_hamming_distance, settings.max_ratio)) continue;
       taken[best.index] = 1;
       place.observations.push_back({best.index, id});
@@ -129,24 +108,24 @@ void match_guided(const Camera& camera, const Atlas& atlas, const std::vector<Ke
 
 }  // namespace
 
-std::vector<KeyframeId> place_window(const Atlas& atlas, KeyframeId keyframe, int most) {
+std::vector<KeyframeId> place_window(const Atlas& atlas, KeyframeId keyframe, int max_keyframes) {
   std::vector<KeyframeId> window{keyframe};
   for (const Covisible& c : atlas.keyframe(keyframe).covisible) {
-    if (static_cast<int>(window.size()) >= most) break;
+    if (static_cast<int>(window.size()) >= max_keyframes) break;
     window.push_back(c.keyframe);
   }
   return window;
 }
 
-std::optional<PlacePose> find_in_place(const Camera& camera, const Atlas& atlas,
+std::optional<PlacePose> find_in_place(const PoseEstimator& estimator, const Atlas& atlas,
                                        const std::vector<KeyframeId>& window, const ImageOfPlace& image,
-                                       const NoiseSettings& noise,
-                                       const PoseOptimisationSettings& optimisation,
-                                       const LoopSettings& settings) {
+                                       const PlaceGate& gate, const PlaceRecognitionSettings& settings) {
   if (window.empty()) return {};
+  const Camera& camera = estimator.sensor.camera;
   // Not the aligned positions of a keyframe's measurements: those mean the points of its own landmarks.
   const std::vector<Measurement> measurements = measure_keypoints(camera, image.motion, image.features);
   PlacePose place;
+  place.keyframe = window.front();
   place.observations = match_window(atlas, window, image.features, settings);
   if (static_cast<int>(place.observations.size()) < settings.ransac_inliers) return {};
   const auto rough = find_pose(camera, observe(atlas, measurements, place.observations),
@@ -155,10 +134,10 @@ std::optional<PlacePose> find_in_place(const Camera& camera, const Atlas& atlas,
                                 .seed = window.front().value});
   if (!rough) return {};
   place.cam_from_world = *rough;
-  if (!refine(camera, atlas, measurements, noise, optimisation, settings.ransac_inliers, place)) return {};
+  if (!refine(estimator, atlas, measurements, settings.ransac_inliers, place)) return {};
   match_guided(camera, atlas, window, image, settings, place);
-  if (!refine(camera, atlas, measurements, noise, optimisation, settings.min_inliers, place)) return {};
-  if (static_cast<double>(place.observations.size()) < settings.min_share * place.visible) return {};
+  if (!refine(estimator, atlas, measurements, gate.min_inliers, place)) return {};
+  if (static_cast<double>(place.observations.size()) < gate.min_share * place.visible) return {};
   return place;
 }
 

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
-#include "core/camera.hpp"
 #include "core/camera_motion.hpp"
-#include "estimation/pose_optimisation.hpp"
-#include "loop_closing/loop_settings.hpp"
+#include "estimation/sensor_model.hpp"
+#include "place_recognition/place_recognition_settings.hpp"
 
 namespace stdc {
 
@@ -17,12 +16,13 @@ struct PlaceObservation {
   LandmarkId landmark;
 };
 
-/// Where a place of the map puts a camera whose pose was not known.
+/// Where a place of the atlas puts a camera whose pose was not known.
 struct PlacePose {
+  KeyframeId keyframe;  ///< of the place: the first of its window
   Pose cam_from_world;
-  Matrix6d information = Matrix6d::Zero();     ///< as in PoseOptimisationResult
-  std::vector<PlaceObservation> observations;  ///< those that agree
-  int visible = 0;                             ///< landmarks of the place that should be seen
+  Matrix6d information = Matrix6d::Zero();      ///< as in PoseOptimisationResult
+  std::vector<PlaceObservation> observations;   ///< those that agree
+  int visible = 0;                              ///< landmarks of the place that should be seen
 };
 
 /// What is needed of an image to place it; a frame or a keyframe.
@@ -31,19 +31,24 @@ struct ImageOfPlace {
   const CameraMotion& motion;
 };
 
-/// The keyframe and those that share most landmarks with it.
-std::vector<KeyframeId> place_window(const Atlas& atlas, KeyframeId keyframe, int most);
+/// What a pose needs to be believed.
+struct PlaceGate {
+  int min_inliers = 0;   ///< landmarks that agree
+  double min_share = 0;  ///< the same, of those that should be seen
+};
 
-/// Finds the pose of an image in the coordinates of a place, from appearance alone: matches its keypoints to
-/// the place's landmarks by descriptor, takes the 3D-3D alignment of three matches on which most agree,
-/// optimises it, looks for all landmarks again where they should be, and optimises once more (scheme:
-/// Mur-Artal, Montiel and Tardos, 'ORB-SLAM', T-RO 2015, sec. VII-B, with rigid instead of similarity
-/// transforms). Nothing unless both `min_inliers` and `min_share` are met. Same input, same bytes.
+/// The keyframe and those that share most landmarks with it.
+std::vector<KeyframeId> place_window(const Atlas& atlas, KeyframeId keyframe, int max_keyframes);
+
+/// The one relocalisation: finds the pose of an image in the coordinates of a place, from appearance alone.
+/// Matches its keypoints to the place's landmarks by descriptor, takes the 3D-3D alignment of three matches
+/// on which most agree (RANSAC: Fischler and Bolles, CACM 1981; alignment: Arun et al., PAMI 1987), optimises
+/// it, looks for all landmarks again where they should be, and optimises once more (scheme: Mur-Artal,
+/// Montiel and Tardos, 'ORB-SLAM', T-RO 2015, sec. VII-B, with rigid instead of similarity transforms).
+/// Nothing unless the gate is passed. Same input, same bytes.
 /// @param window  keyframes of the place; draws are seeded by the first
-std::optional<PlacePose> find_in_place(const Camera& camera, const Atlas& atlas,
+std::optional<PlacePose> find_in_place(const PoseEstimator& estimator, const Atlas& atlas,
                                        const std::vector<KeyframeId>& window, const ImageOfPlace& image,
-                                       const NoiseSettings& noise,
-                                       const PoseOptimisationSettings& optimisation,
-                                       const LoopSettings& settings);
+                                       const PlaceGate& gate, const PlaceRecognitionSettings& settings);
 
 }  // namespace stdc

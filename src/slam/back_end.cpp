@@ -1,5 +1,6 @@
 #include "slam/back_end.hpp"
 
+#include <cassert>
 #include <utility>
 
 #include "core/stopwatch.hpp"
@@ -7,107 +8,134 @@
 namespace stdc {
 
 BackEnd::BackEnd(const Camera& camera, const Settings& settings)
-    : camera_(camera),
+    : sensor_{camera, settings.noise},
       settings_(settings),
-      mapper_(camera, settings.mapping, settings.noise, settings.bundle_adjustment,
-              settings.tracking.close_depth),
-      closer_(
-          {camera, settings.noise, settings.bundle_adjustment, settings.pose_graph, settings.loop_closing},
-          settings.pose_optimisation) {}
+      mapper_(sensor_, settings.mapping, settings.bundle_adjustment, settings.tracking.close_depth),
+      places_({sensor_, settings.pose_optimisation}, settings.place_recognition) {}
 
-void BackEnd::adopt(Atlas atlas) {
+Atlas& BackEnd::atlas() {
+  assert(idle());
+  return atlas_;
+}
+
+const Atlas& BackEnd::atlas() const {
+  assert(idle());
+  return atlas_;
+}
+
+const PlaceRecogniser& BackEnd::places() const {
+  assert(idle());
+  return places_;
+}
+
+void BackEnd::set_atlas(Atlas atlas) {
+  assert(idle() && atlas_.keyframe_id_limit() == 0);
   atlas_ = std::move(atlas);
-  start(Job::places, 0, [this] { closer_.enter_all(atlas_); });
+  snapshot_ = AtlasSnapshot(atlas_);
+  start(JobKind::learn_places, 0, [this] { places_.add_all(atlas_); });
 }
 
-void BackEnd::start(Job job, int due, std::function<void()> work) {
-  job_ = job;
-  due_ = due;
-  worker_.start(std::move(work));
+/// The snapshot is made on the worker's thread, where it costs the tracker nothing.
+void BackEnd::start(JobKind kind, int due, std::function<void()> work) {
+  assert(idle());
+  job_ = Job{kind, due};
+  worker_.start([this, work = std::move(work)] {
+    work();
+    changed_ = AtlasSnapshot(atlas_);
+  });
 }
 
-void BackEnd::map_keyframe(KeyframeId keyframe, int frame) {
-  start(Job::keyframe, frame + settings_.system.mapping_latency, [this, keyframe] {
-    mapped_ = mapper_.process(atlas_, keyframe);
+void BackEnd::map_keyframe(KeyframeId keyframe, std::size_t first_landmark, int frame) {
+  assert(!has_pending());
+  snapshot_.add(atlas_, keyframe, first_landmark);
+  start(JobKind::map_keyframe, frame + settings_.system.mapping_latency, [this, keyframe] {
+    mapping_ = mapper_.process(atlas_, keyframe);
     Stopwatch watch;
-    loop_ = closer_.find(atlas_, keyframe);
-    detection_ms_ = watch.lap_ms();
+    if (settings_.loop_closing.active) {
+      const bool soon = last_loop_.valid() && static_cast<int>(keyframe.value - last_loop_.value) <
+                                                  settings_.loop_closing.keyframes_between;
+      loop_ = places_.find_loop(atlas_, keyframe, !soon);
+    }
+    places_.add(atlas_, keyframe);
+    place_recognition_ms_ = watch.lap_ms();
   });
 }
 
 void BackEnd::close_loop(int frame) {
-  if (bundle_) bundle_void_ = true;
+  // What is known of the bundle's map will not hold any more.
+  if (bundle_state_ != BundleState::none) bundle_state_ = BundleState::obsolete;
   next_bundle_.reset();
-  start(Job::loop, frame + settings_.system.loop_latency, [this, loop = *std::exchange(loop_, std::nullopt)] {
+  last_loop_ = loop_->current;
+  const auto due = frame + settings_.system.loop_latency;
+  start(JobKind::close_loop, due, [this, loop = *std::exchange(loop_, std::nullopt)] {
     Stopwatch watch;
-    const LoopCorrection done = closer_.close(atlas_, loop);
-    const Keyframe& current = atlas_.keyframe(loop.current);
-    report_ = {done.merged,
-               current.frame,
-               atlas_.keyframe(loop.matched).frame,
-               done.keyframes,
-               done.fused,
-               done.drift,
-               detection_ms_,
-               0};
-    next_bundle_ = std::make_unique<FullBundle>(atlas_, current.map);
-    report_.correction_ms = watch.lap_ms();
+    places_.reset_detection();
+    loop_report_ = stdc::close_loop(
+        {sensor_, settings_.bundle_adjustment, settings_.pose_graph, settings_.loop_closing}, atlas_, loop);
+    loop_report_.detection_ms = place_recognition_ms_;
+    next_bundle_ = std::make_unique<FullBundle>(atlas_, atlas_.keyframe(loop.current).map);
+    loop_report_.correction_ms = watch.lap_ms();
   });
 }
 
-void BackEnd::collect(BackEndUpdate& news) {
-  news.map_is_back = true;
-  const Job done = std::exchange(job_, Job::none);
-  if (done == Job::keyframe) {
-    news.mapping = MappingReport{mapped_.total_ms,
-                                 mapped_.bundle_ms,
-                                 mapped_.bundle.keyframes + mapped_.bundle.fixed_keyframes,
-                                 mapped_.bundle.landmarks,
-                                 mapped_.bundle.observations,
-                                 detection_ms_};
+/// Lets the solution wait for the atlas, unless another loop has made it worthless.
+void BackEnd::update_bundle(int frame) {
+  const bool at_work = bundle_state_ == BundleState::solving || bundle_state_ == BundleState::obsolete;
+  if (!at_work || frame < bundle_due_) return;
+  bundle_worker_.wait();
+  if (bundle_state_ == BundleState::solving) {
+    bundle_state_ = BundleState::solved;
+  } else {
+    bundle_.reset();
+    bundle_state_ = BundleState::none;
   }
-  if (done == Job::loop) news.loop = report_;
-  if (done == Job::bundle) bundle_.reset();
 }
 
-/// The solution waits for the map, unless another loop has made it worthless.
-void BackEnd::take_in_bundle(int frame) {
-  if (!bundle_) return;
-  if (!bundle_solved_ && frame >= bundle_due_) {
-    bundle_worker_.wait();
-    bundle_solved_ = true;
-  }
-  if (bundle_solved_ && bundle_void_) bundle_.reset();
+void BackEnd::start_bundle(int frame) {
+  assert(!bundle_ && bundle_state_ == BundleState::none);
+  // As long as it takes on a slow machine, in frames: it must not depend on how long it takes on this one.
+  constexpr int kMinFrames = 15, kKeyframesPerFrame = 4, kObservationsPerFrame = 4000;
+  bundle_ = std::move(next_bundle_);
+  bundle_state_ = BundleState::solving;
+  bundle_due_ = frame + kMinFrames + bundle_->keyframes() / kKeyframesPerFrame +
+                bundle_->observations() / kObservationsPerFrame;
+  bundle_worker_.start([this] { bundle_->solve(sensor_, settings_.full_bundle_adjustment); });
 }
 
-BackEndUpdate BackEnd::take_in(int frame, bool at_once) {
-  BackEndUpdate news;
-  if (job_ != Job::bundle) take_in_bundle(frame);
-  if (job_ == Job::none || (frame < due_ && !at_once)) return news;
+void BackEnd::finish_job(BackEndUpdate& update) {
   worker_.wait();
-  collect(news);
-  return news;
+  const JobKind done = job_->kind;
+  job_.reset();
+  snapshot_ = std::move(changed_);
+  update.atlas_changed = true;
+  if (done == JobKind::map_keyframe) {
+    update.mapping = mapping_;
+    update.place_recognition_ms = place_recognition_ms_;
+  }
+  if (done == JobKind::close_loop) update.loop = loop_report_;
+  if (done == JobKind::apply_bundle) {
+    bundle_.reset();
+    bundle_state_ = BundleState::none;
+  }
 }
 
-void BackEnd::go_on(int frame) {
-  if (job_ != Job::none) return;
+BackEndUpdate BackEnd::collect(int frame, bool now) {
+  BackEndUpdate update;
+  // While its solution is being applied the bundle belongs to the job.
+  if (idle() || job_->kind != JobKind::apply_bundle) update_bundle(frame);
+  if (!idle() && (frame >= job_->due || now)) finish_job(update);
+  return update;
+}
+
+void BackEnd::start_pending(int frame) {
+  if (!idle()) return;
   if (loop_) {
     close_loop(frame);
-    return;
+  } else if (bundle_state_ == BundleState::solved) {
+    start(JobKind::apply_bundle, frame + settings_.system.mapping_latency, [this] { bundle_->apply(atlas_); });
+  } else if (!bundle_ && next_bundle_) {
+    start_bundle(frame);
   }
-  if (bundle_ && bundle_solved_) {
-    start(Job::bundle, frame + settings_.system.mapping_latency, [this] { bundle_->apply(atlas_); });
-    return;
-  }
-  if (bundle_ || !next_bundle_) return;
-  // As long as it takes on a slow machine, in frames: it must not depend on how long it takes on this one.
-  constexpr int kMin = 15, kKeyframesPerFrame = 4, kObservationsPerFrame = 4000;
-  bundle_ = std::move(next_bundle_);
-  bundle_solved_ = bundle_void_ = false;
-  bundle_due_ = frame + kMin + bundle_->keyframes() / kKeyframesPerFrame +
-                bundle_->observations() / kObservationsPerFrame;
-  bundle_worker_.start(
-      [this] { bundle_->solve(camera_, settings_.noise, settings_.full_bundle_adjustment); });
 }
 
 }  // namespace stdc

@@ -24,7 +24,7 @@ TEST(Faults, TwoBlackSeconds) {
   walk.go(40, 80);
   EXPECT_EQ(walk.count(TrackingStatus::ok, 41 + 30 + 2), 39) << "found again within three frames";
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
 }
 
 TEST(Faults, CarriedToAnotherMappedPlace) {
@@ -33,7 +33,7 @@ TEST(Faults, CarriedToAnotherMappedPlace) {
   walk.go(20, 60);
   EXPECT_GE(walk.count(TrackingStatus::ok, 81), 41 - 3) << "found again within three frames";
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
 }
 
 TEST(Faults, CarriedToAnUnknownPlaceAndBack) {
@@ -43,13 +43,13 @@ TEST(Faults, CarriedToAnUnknownPlaceAndBack) {
   walk.go(0, 30);
   walk.go(100, 119);  // nothing in common with what is mapped
   EXPECT_EQ(walk.count(TrackingStatus::lost, 31), 6);
-  EXPECT_EQ(walk.results.back().map, 1) << "a map of its own";
+  EXPECT_EQ(walk.results.back().map, MapId{1}) << "a map of its own";
   EXPECT_EQ(walk.slam.maps(), 2);
   walk.go(10, 30);
   EXPECT_GE(walk.count(TrackingStatus::ok, 31 + 20), 21 - 3);
-  EXPECT_EQ(walk.results.back().map, 0) << "back in the first";
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
-  EXPECT_LT(walk.worst_error(1, 106), 0.03);
+  EXPECT_EQ(walk.results.back().map, MapId{0}) << "back in the first";
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
+  EXPECT_LT(walk.worst_error({1}, 106), 0.03);
 }
 
 TEST(Faults, MapsThatMeetBecomeOne) {
@@ -62,9 +62,9 @@ TEST(Faults, MapsThatMeetBecomeOne) {
                                   [](const TrackingResult& r) { return r.loop && r.loop->merged; });
   EXPECT_TRUE(merged);
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_EQ(walk.results.back().map, 0);
+  EXPECT_EQ(walk.results.back().map, MapId{0});
   EXPECT_EQ(walk.count(TrackingStatus::ok), 41 + 91 - 6) << "all but those that nobody could know";
-  EXPECT_LT(walk.worst_error(0, 0), 0.03) << "and all in the coordinates of the first";
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03) << "and all in the coordinates of the first";
 }
 
 /// Covers nine tenths of the view for a while.
@@ -86,7 +86,7 @@ TEST(Faults, NineTenthsOfTheViewAreCoveredForThreeSeconds) {
   walk.go(0, 104);
   EXPECT_EQ(walk.count(TrackingStatus::ok, 78), 27) << "found again within three frames";
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
 }
 
 TEST(Faults, NoDepthForTwoSeconds) {
@@ -96,7 +96,7 @@ TEST(Faults, NoDepthForTwoSeconds) {
   walk.go(61, 90);
   EXPECT_EQ(walk.count(TrackingStatus::ok), 91);
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
 }
 
 TEST(Faults, FramesDroppedAndDoubledAndOutOfOrder) {
@@ -114,7 +114,7 @@ TEST(Faults, FramesDroppedAndDoubledAndOutOfOrder) {
   EXPECT_EQ(walk.count(TrackingStatus::skipped), 2);
   EXPECT_EQ(walk.count(TrackingStatus::ok), static_cast<int>(walk.results.size()) - 2);
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
 }
 
 }  // namespace

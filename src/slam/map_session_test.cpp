@@ -83,7 +83,7 @@ TEST(MapSession, ALaterSessionGoesOnWithTheMap) {
   walk.go(60, 119);
   EXPECT_EQ(walk.count(TrackingStatus::ok), 60);
   EXPECT_GT(walk.slam.keyframes(), before);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
   for (const FramePose& pose : walk.slam.keyframe_trajectory()) EXPECT_LT(pose.frame, 60) << "only its own";
   walk.slam.save_map(folder / "larger.map");
   Walk third(localising());
@@ -105,8 +105,8 @@ TEST(MapSession, ASessionThatBeginsElsewhereJoinsTheMapWhenItGetsThere) {
   walk.slam.load_map(folder / "room.map");
   walk.go(100, 10);
   EXPECT_EQ(walk.slam.maps(), 1);
-  EXPECT_EQ(walk.results.back().map, 0);
-  EXPECT_LT(walk.worst_error(0, 0), 0.03);
+  EXPECT_EQ(walk.results.back().map, MapId{0});
+  EXPECT_LT(walk.worst_error({0}, 0), 0.03);
 }
 
 TEST(MapSession, RefusesWhatDoesNotFit) {

@@ -12,11 +12,11 @@
 namespace stdc {
 
 Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
-    : camera_(camera),
+    : sensor_{camera, settings.noise},
       settings_(settings),
       extractor_(settings.features),
-      tracker_(camera, settings.tracking, settings.noise, settings.pose_optimisation),
-      relocaliser_(camera, settings.tracking, settings.noise, settings.pose_optimisation),
+      tracker_({sensor_, settings.pose_optimisation}, settings.tracking),
+      relocaliser_(settings.tracking),
       back_end_(camera, settings) {
   if (segmenter) {
     semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
@@ -25,33 +25,16 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
 }
 
 TrackingResult Pipeline::track(const RgbdImage& image) {
-  check_image(image, camera_, next_frame_);
+  check_image(image, camera(), next_frame_);
   if (last_time_ && !(image.timestamp > *last_time_)) return skip(image.timestamp);
   const double cpu_start = thread_cpu_ms();
-  Stopwatch total, watch;
+  Stopwatch total;
   TrackingResult result;
-  result.timestamp = image.timestamp;
   TrackedFrame frame = extract(image, result);
-  watch.lap_ms();
-  take_in(result);
-  result.milliseconds.keyframe = watch.lap_ms() - result.milliseconds.wait;
-  result.status = locate(frame);
-  watch.lap_ms();
-  if (result.status == TrackingStatus::ok && wants_keyframe(frame)) make_keyframe(frame, active_map_);
-  result.is_keyframe = last_keyframe_frame_ == frame.index;
-  back_end_.go_on(frame.index);
-  if (result.status == TrackingStatus::ok) {
-    record(frame);
-    result.cam_from_world = frame.cam_from_world;
-    result.map = active_map_;
-  }
-  result.milliseconds.keyframe += watch.lap_ms();
-  result.milliseconds.prediction = tracker_.times().prediction;
-  result.milliseconds.local_map = tracker_.times().local_map;
-  result.frame = frame.index;
-  result.matches = frame.matches;
-  result.inliers = frame.inliers;
-  describe_keypoints(frame, result);
+  collect(result);
+  result.status = locate(frame, result.milliseconds);
+  extend_map(frame, result);
+  describe(frame, result);
   result.milliseconds.total = total.lap_ms();
   result.milliseconds.total_cpu = thread_cpu_ms() - cpu_start;
   return result;
@@ -77,67 +60,83 @@ TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
   }
   extractor_.detect(grey);
   if (semantics_) reject_dynamic(result);
-  auto features = std::make_shared<FrameFeatures>(camera_, extractor_.select(), image.depth,
-                                                  settings_.features.scale_factor,
-                                                  extractor_.levels(grey.size()), &extractor_.pyramid());
+  const auto pyramid = extractor_.pyramid();
+  auto features =
+      std::make_shared<FrameFeatures>(camera(), extractor_.select(), image.depth,
+                                      settings_.features.scale_factor, pyramid->levels(), pyramid.get());
   StageTimes& times = result.milliseconds;
   times.extraction = watch.lap_ms() - times.mask_wait - times.rejection;
   last_time_ = image.timestamp;
-  return {camera_, next_frame_++, image.timestamp, std::move(features)};
+  return {camera(), next_frame_++, image.timestamp, std::move(features), pyramid};
 }
 
 void Pipeline::reject_dynamic(TrackingResult& result) {
   Stopwatch watch;
-  const DynamicMask dynamic = semantics_->finish();
+  DynamicMask dynamic = semantics_->finish();
   result.milliseconds.mask_wait = watch.lap_ms();
   extractor_.reject(dynamic.mask);
   result.milliseconds.rejection = watch.lap_ms();
-  result.segmentation = SegmentationReport{
-      dynamic.age,           dynamic.share,  dynamic.segmentation_ms, dynamic.propagation_ms,
-      dynamic.refinement_ms, dynamic.problem};
+  result.segmentation = std::move(dynamic.report);
   if (settings_.system.report_keypoints) result.dynamic_mask = dynamic.mask;
 }
 
-/// The map comes back at the frame that was fixed when it was given away, or when tracking has been lost and
-/// needs the whole map.
-void Pipeline::take_in(TrackingResult& result) {
+/// The atlas comes back at the frame that was fixed when it was given away, or when tracking has been lost and
+/// needs all of it.
+void Pipeline::collect(TrackingResult& result) {
   Stopwatch watch;
-  const BackEndUpdate news = back_end_.take_in(next_frame_ - 1, !tracker_.has_last());
+  BackEndUpdate update = back_end_.collect(next_frame_ - 1, !tracker_.has_last());
   result.milliseconds.wait = watch.lap_ms();
-  result.mapping = news.mapping;
-  result.loop = news.loop;
-  if (news.map_is_back) follow_map();
+  result.mapping = update.mapping;
+  result.place_recognition_ms = update.place_recognition_ms;
+  result.loop = update.loop;
+  if (update.atlas_changed) follow_atlas();
+  result.milliseconds.keyframe = watch.lap_ms();
 }
 
-void Pipeline::follow_map() {
-  const Atlas& atlas = back_end_.atlas();
-  tracker_.flush_counts(back_end_.atlas());
+void Pipeline::follow_atlas() {
+  Atlas& atlas = back_end_.atlas();
+  tracker_.flush_counts(atlas);
   tracker_.follow(atlas);
   if (last_keyframe_.valid()) active_map_ = atlas.map_of(last_keyframe_);
 }
 
-TrackingStatus Pipeline::locate(TrackedFrame& frame) {
-  if (tracker_.has_last()) {
-    if (back_end_.at_home()) refresh_local_map(tracker_.last().landmarks);
-    if (tracker_.track(frame, local_map_, extractor_.pyramid())) {
-      tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
-      return TrackingStatus::ok;
-    }
-    tracker_.clear_last();
-    return TrackingStatus::lost;
-  }
-  // Without a last frame the map is at home: see take_in.
+TrackingStatus Pipeline::locate(TrackedFrame& frame, StageTimes& times) {
+  if (tracker_.has_last()) return track_from_last(frame, times);
+  // Without a last frame the back end is idle: see collect.
   if (back_end_.atlas().keyframe_count() == 0) {
     return initialise(frame) ? TrackingStatus::ok : TrackingStatus::initialising;
   }
-  if (relocaliser_.find(back_end_.atlas(), back_end_.places(), extractor_.pyramid(), frame, tracker_,
-                        local_map_)) {
-    last_keyframe_ = local_map_.reference;
-    active_map_ = back_end_.atlas().map_of(last_keyframe_);
-    unknown_frames_ = 0;
-    return TrackingStatus::ok;
+  Stopwatch watch;
+  const bool found = relocaliser_.find(back_end_.atlas(), back_end_.places(), frame, tracker_, local_map_);
+  times.relocalisation = watch.lap_ms();
+  if (!found) return start_over(frame) ? TrackingStatus::ok : TrackingStatus::lost;
+  last_keyframe_ = local_map_.reference;
+  active_map_ = back_end_.atlas().map_of(last_keyframe_);
+  unknown_frames_ = 0;
+  return TrackingStatus::ok;
+}
+
+TrackingStatus Pipeline::track_from_last(TrackedFrame& frame, StageTimes& times) {
+  if (back_end_.idle()) refresh_local_map(tracker_.last().landmarks);
+  const TrackAttempt attempt = tracker_.track(frame, local_map_);
+  times.prediction = attempt.prediction_ms;
+  times.local_map = attempt.local_map_ms;
+  if (!attempt.tracked) {
+    tracker_.clear_last();
+    return TrackingStatus::lost;
   }
-  return start_over(frame) ? TrackingStatus::ok : TrackingStatus::lost;
+  tracker_.remember(frame, local_map_.reference, local_map_.reference_from_world);
+  return TrackingStatus::ok;
+}
+
+/// Makes the frame a keyframe if it should be one, gives the back end its next job, and notes the pose.
+void Pipeline::extend_map(TrackedFrame& frame, TrackingResult& result) {
+  Stopwatch watch;
+  if (result.status == TrackingStatus::ok && wants_keyframe(frame)) make_keyframe(frame, active_map_);
+  result.is_keyframe = last_keyframe_frame_ == frame.index;
+  back_end_.start_pending(frame.index);
+  if (result.status == TrackingStatus::ok) record(frame);
+  result.milliseconds.keyframe += watch.lap_ms();
 }
 
 /// Whether a map could be started with a frame.
@@ -149,8 +148,8 @@ bool Pipeline::shows_enough(const TrackedFrame& frame) const {
 
 /// Starts a map with this frame, if enough of it has depth.
 bool Pipeline::initialise(TrackedFrame& frame) {
-  if (settings_.system.localisation_only || !shows_enough(frame)) return false;
-  make_keyframe(frame, back_end_.atlas().map_count());
+  if (settings_.system.localisation_only || back_end_.has_pending() || !shows_enough(frame)) return false;
+  make_keyframe(frame, back_end_.atlas().next_map());
   frame.matches = frame.inliers = static_cast<int>(std::count_if(
       frame.landmarks.begin(), frame.landmarks.end(), [](LandmarkId id) { return id.valid(); }));
   return true;
@@ -160,27 +159,28 @@ bool Pipeline::initialise(TrackedFrame& frame) {
 bool Pipeline::start_over(TrackedFrame& frame) {
   if (!shows_enough(frame)) return false;
   if (++unknown_frames_ <= settings_.tracking.new_map_after) return false;
-  frame = TrackedFrame(camera_, frame.index, frame.timestamp, frame.features);
+  frame = TrackedFrame(camera(), frame.index, frame.timestamp, frame.features, frame.pyramid);
   return initialise(frame);
 }
 
 bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
-  if (settings_.system.localisation_only || !back_end_.at_home() || back_end_.job_waits()) return false;
+  if (settings_.system.localisation_only || !back_end_.idle() || back_end_.has_pending()) return false;
   if (last_keyframe_frame_ == frame.index) return false;
-  return needs_keyframe(camera_, frame, local_map_, frame.index - last_keyframe_frame_,
+  return needs_keyframe(camera(), frame, local_map_, frame.index - last_keyframe_frame_,
                         back_end_.atlas().keyframe_count(active_map_), settings_.tracking);
 }
 
-void Pipeline::make_keyframe(TrackedFrame& frame, int map_number) {
+void Pipeline::make_keyframe(TrackedFrame& frame, MapId map) {
   Atlas& atlas = back_end_.atlas();
   tracker_.flush_counts(atlas);
-  last_keyframe_ = insert_keyframe(atlas, camera_, settings_.noise, frame, settings_.tracking, map_number);
+  const std::size_t first_landmark = atlas.landmark_id_limit();
+  last_keyframe_ = insert_keyframe(atlas, sensor_, frame, settings_.tracking, map);
   last_keyframe_frame_ = frame.index;
-  active_map_ = map_number;
+  active_map_ = map;
   unknown_frames_ = 0;
   refresh_local_map(frame.landmarks);
   tracker_.remember(frame, last_keyframe_, frame.cam_from_world);
-  back_end_.map_keyframe(last_keyframe_, frame.index);
+  back_end_.map_keyframe(last_keyframe_, first_landmark, frame.index);
 }
 
 void Pipeline::refresh_local_map(const std::vector<LandmarkId>& seen) {
@@ -200,11 +200,11 @@ std::vector<LoopReport> Pipeline::finish() {
   std::vector<LoopReport> loops;
   const int frame = next_frame_ - 1;
   while (back_end_.busy()) {
-    back_end_.hurry();
-    const BackEndUpdate news = back_end_.take_in(frame, true);
-    if (news.map_is_back) follow_map();
-    if (news.loop) loops.push_back(*news.loop);
-    back_end_.go_on(frame);
+    back_end_.flush();
+    const BackEndUpdate update = back_end_.collect(frame, true);
+    if (update.atlas_changed) follow_atlas();
+    if (update.loop) loops.push_back(*update.loop);
+    back_end_.start_pending(frame);
   }
   return loops;
 }
@@ -212,29 +212,35 @@ std::vector<LoopReport> Pipeline::finish() {
 void Pipeline::load_map(const std::filesystem::path& path) {
   if (next_frame_ > 0) throw Error(path.string(), "was given after the first frame", "load the map before");
   StoredMap stored = stdc::load_map(path);
-  if (stored.camera != camera_) {
+  if (stored.camera != camera()) {
     throw Error(path.string(), "was made with another camera",
                 "give the camera that 'stdc-slam map info' shows, or make the map again");
   }
   first_own_keyframe_ = {static_cast<std::uint32_t>(stored.atlas.keyframe_id_limit())};
-  back_end_.adopt(std::move(stored.atlas));
+  back_end_.set_atlas(std::move(stored.atlas));
 }
 
 std::vector<FramePose> Pipeline::trajectory() const {
-  const Atlas& atlas = back_end_.atlas();
+  const AtlasSnapshot& snapshot = back_end_.snapshot();
   std::vector<FramePose> poses;
   poses.reserve(posed_.size());
   for (const PosedFrame& posed : posed_) {
-    const Atlas::KeptAncestor ancestor = atlas.resolve(posed.reference);
-    const Keyframe& keyframe = atlas.keyframe(ancestor.keyframe);
-    const Pose cam_from_world =
-        posed.frame_from_reference * ancestor.cam_from_ancestor * keyframe.cam_from_world;
-    poses.push_back({posed.frame, posed.timestamp, cam_from_world.inverse(), keyframe.map});
+    const Pose cam_from_world = snapshot.cam_from_world(posed.reference, posed.frame_from_reference);
+    poses.push_back({posed.frame, posed.timestamp, cam_from_world.inverse(),
+                     snapshot.keyframes()[posed.reference.value].map});
   }
   return poses;
 }
 
-void Pipeline::describe_keypoints(const TrackedFrame& frame, TrackingResult& result) const {
+void Pipeline::describe(const TrackedFrame& frame, TrackingResult& result) const {
+  result.frame = frame.index;
+  result.timestamp = frame.timestamp;
+  if (result.status == TrackingStatus::ok) {
+    result.cam_from_world = frame.cam_from_world;
+    result.map = active_map_;
+  }
+  result.matches = frame.matches;
+  result.inliers = frame.inliers;
   const FrameFeatures& features = *frame.features;
   result.keypoints_high = features.count(KeypointQuality::high);
   result.keypoints_low = features.size() - result.keypoints_high;

@@ -12,13 +12,13 @@
 #include "slam/relocaliser.hpp"
 #include "slam/semantic_thread.hpp"
 #include "slam/settings.hpp"
-#include "slam/slam.hpp"
+#include "slam/tracking_result.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracker.hpp"
 
 namespace stdc {
 
-/// The way of a frame through the system. Beside it the back end works on the map; while the map is away the
+/// What happens to a frame, step by step. Beside it the back end works on the atlas; while it has the atlas the
 /// tracker has a copy of what is around the camera.
 class Pipeline {
  public:
@@ -27,13 +27,15 @@ class Pipeline {
 
   TrackingResult track(const RgbdImage& image);
   TrackingResult skip(double timestamp);
-  /// Waits for the back end and takes its results in; returns the loops among them.
+  /// Waits for the back end and collects its results; returns the loops among them.
   std::vector<LoopReport> finish();
   /// Reads a map, before the first frame.
   void load_map(const std::filesystem::path& path);
 
   std::vector<FramePose> trajectory() const;
-  const Camera& camera() const { return camera_; }
+  const Camera& camera() const { return sensor_.camera; }
+  /// As the tracking thread knows it, at any time.
+  const AtlasSnapshot& snapshot() const { return back_end_.snapshot(); }
   /// After finish().
   const Atlas& atlas() const { return back_end_.atlas(); }
   KeyframeId first_own_keyframe() const { return first_own_keyframe_; }
@@ -48,19 +50,21 @@ class Pipeline {
 
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
   void reject_dynamic(TrackingResult& result);
-  void take_in(TrackingResult& result);
-  void follow_map();
-  TrackingStatus locate(TrackedFrame& frame);
+  void collect(TrackingResult& result);
+  void follow_atlas();
+  TrackingStatus locate(TrackedFrame& frame, StageTimes& times);
+  TrackingStatus track_from_last(TrackedFrame& frame, StageTimes& times);
+  void extend_map(TrackedFrame& frame, TrackingResult& result);
   bool shows_enough(const TrackedFrame& frame) const;
   bool initialise(TrackedFrame& frame);
   bool start_over(TrackedFrame& frame);
   bool wants_keyframe(const TrackedFrame& frame) const;
-  void make_keyframe(TrackedFrame& frame, int map_number);
+  void make_keyframe(TrackedFrame& frame, MapId map);
   void refresh_local_map(const std::vector<LandmarkId>& seen);
   void record(const TrackedFrame& frame);
-  void describe_keypoints(const TrackedFrame& frame, TrackingResult& result) const;
+  void describe(const TrackedFrame& frame, TrackingResult& result) const;
 
-  Camera camera_;
+  SensorModel sensor_;
   Settings settings_;
   FeatureExtractor extractor_;
   std::unique_ptr<SemanticThread> semantics_;  ///< null: everything counts as static
@@ -71,7 +75,7 @@ class Pipeline {
   std::optional<double> last_time_;
   int last_keyframe_frame_ = -1;
   KeyframeId last_keyframe_;  ///< or the one near which tracking was found again
-  int active_map_ = -1;       ///< number of the map that is tracked in
+  MapId active_map_;          ///< the map that is tracked in
   int unknown_frames_ = 0;    ///< since tracking was lost, that showed no known place
   KeyframeId first_own_keyframe_{0};
   std::vector<PosedFrame> posed_;

@@ -29,10 +29,10 @@ void SemanticThread::begin(const RgbdImage& image, const cv::Mat& grey, int fram
     carrying_.start([this, frame_from_last] { move_mask(frame_from_last); });
     return;
   }
-  if (in_flight_ && frame >= *in_flight_ + settings_.latency) take_in();
+  if (in_flight_ && frame >= *in_flight_ + settings_.latency) collect();
   if (!in_flight_) segment(image, frame);
   // Before the first mask there is nothing to carry, and a map must not begin with people in it.
-  if (mask_frame_ < 0) take_in();
+  if (mask_frame_ < 0) collect();
   carrying_.start([this, frame_from_last] {
     move_mask(frame_from_last);
     complete_mask();
@@ -42,7 +42,7 @@ void SemanticThread::begin(const RgbdImage& image, const cv::Mat& grey, int fram
 DynamicMask SemanticThread::finish() {
   carrying_.wait();
   if (settings_.pace == SegmentationPace::every_frame) {
-    take_in();
+    collect();
     complete_mask();
   }
   image_ = {};
@@ -63,15 +63,15 @@ void SemanticThread::segment(const RgbdImage& image, int frame) {
   });
 }
 
-void SemanticThread::take_in() {
+void SemanticThread::collect() {
   in_flight_.reset();
   try {
     segmenting_.wait();
   } catch (const Error& error) {
-    result_.problem = error.what();
+    result_.report.problem = error.what();
   }
   if (segmented_.mask.empty()) return;
-  result_.segmentation_ms = segmented_.milliseconds;
+  result_.report.segmentation_ms = segmented_.milliseconds;
   mask_ = segmented_.mask;
   mask_frame_ = segmented_.frame - segmenter_->delay();
   mask_is_new_ = true;
@@ -83,7 +83,7 @@ void SemanticThread::move_mask(const std::optional<Pose>& frame_from_last) {
   Stopwatch watch;
   const cv::Mat depth = image_.depth.empty() ? cv::Mat(grey_.size(), CV_16UC1, cv::Scalar(0)) : image_.depth;
   propagator_.add_frame(frame_, grey_, depth, frame_from_last);
-  result_.propagation_ms = watch.lap_ms();
+  result_.report.propagation_ms = watch.lap_ms();
 }
 
 /// Takes account of the newest mask and completes what there is now by depth.
@@ -93,17 +93,17 @@ void SemanticThread::complete_mask() {
   if (settings_.propagation && mask_is_new_) propagator_.set_mask(mask_frame_, mask_);
   mask_is_new_ = false;
   cv::Mat mask = moved_mask();
-  result_.propagation_ms += watch.lap_ms();
+  result_.report.propagation_ms += watch.lap_ms();
   const bool has_depth = !image_.depth.empty();
   // A rim of background claims the background around it.
   if (settings_.settling && has_depth) mask = settle_by_depth(mask, image_.depth, depth_units_per_metre_);
   if (settings_.refinement && has_depth) {
     mask = refine(mask, image_.depth, depth_units_per_metre_, refinement_);
   }
-  result_.refinement_ms = watch.lap_ms();
+  result_.report.refinement_ms = watch.lap_ms();
   result_.mask = mask;
-  result_.age = frame_ - mask_frame_;
-  result_.share = static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
+  result_.report.mask_age = frame_ - mask_frame_;
+  result_.report.dynamic_share = static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
 }
 
 /// A mask that came too late to be carried is better than none.

@@ -10,24 +10,21 @@
 #include "segmentation/segmentation_settings.hpp"
 #include "segmentation/segmenter.hpp"
 #include "segmentation/srm/refinement.hpp"
+#include "slam/tracking_result.hpp"
 #include "slam/worker.hpp"
 
 namespace stdc {
 
 /// What is known of the dynamic pixels of a frame.
 struct DynamicMask {
-  cv::Mat mask;      ///< CV_8UC1, 255 = dynamic; empty: nothing is known
-  int age = -1;      ///< frames between the image that was segmented and this one; -1: there is no mask
-  double share = 0;  ///< of the pixels that are dynamic
-  std::optional<double> segmentation_ms;         ///< wall, of the segmentation taken in at this frame, if any
-  double propagation_ms = 0, refinement_ms = 0;  ///< wall
-  std::string problem;                           ///< why a frame could not be segmented; empty: none
+  cv::Mat mask;  ///< CV_8UC1, 255 = dynamic; empty: nothing is known
+  SegmentationReport report;
 };
 
 /// Segments frames beside the tracker, carries masks to later frames and completes them by depth (Alg. 1).
 ///
 /// In the pace `every-frame` each frame waits for its own mask; a frame that got none is given the one of the
-/// frame before, carried over. In the pace `asynchronous` the segmentation of frame k is taken in at frame
+/// frame before, carried over. In the pace `asynchronous` the segmentation of frame k is collected at frame
 /// k + latency, and the next one starts there, with the newest frame; in between the mask is carried. Which
 /// mask a frame gets depends on frame counts only, never on clocks.
 class SemanticThread {
@@ -52,7 +49,7 @@ class SemanticThread {
   };
 
   void segment(const RgbdImage& image, int frame);
-  void take_in();
+  void collect();
   void move_mask(const std::optional<Pose>& frame_from_last);
   void complete_mask();
   cv::Mat moved_mask() const;
@@ -64,7 +61,7 @@ class SemanticThread {
   MaskPropagator propagator_;
   std::optional<int> in_flight_;  ///< frame that is being segmented
   Segmented segmented_;           ///< the last one; belongs to the segmenting thread while in flight
-  cv::Mat mask_;                  ///< the last mask taken in, unmoved
+  cv::Mat mask_;                  ///< the last mask collected, unmoved
   int mask_frame_ = -1;           ///< the frame it belongs to; -1: none yet
   bool mask_is_new_ = false;      ///< the propagator does not know it yet
   RgbdImage image_;               ///< of the present frame

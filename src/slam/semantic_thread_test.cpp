@@ -94,10 +94,10 @@ TEST(SemanticThread, EveryFrameGetsItsOwnMask) {
   const auto masks = run({.pace = SegmentationPace::every_frame}, 4);
   for (int frame = 0; frame < 4; ++frame) {
     const DynamicMask& mask = masks[static_cast<std::size_t>(frame)];
-    EXPECT_EQ(mask.age, 0);
-    EXPECT_TRUE(mask.segmentation_ms);
+    EXPECT_EQ(mask.report.mask_age, 0);
+    EXPECT_TRUE(mask.report.segmentation_ms);
     EXPECT_EQ(cv::countNonZero(mask.mask != Scene::truth(frame)), 0);
-    EXPECT_NEAR(mask.share, 40.0 * 60 / (kWidth * kHeight), 1e-9);
+    EXPECT_NEAR(mask.report.dynamic_share, 40.0 * 60 / (kWidth * kHeight), 1e-9);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(SemanticThread, AMissingMaskIsCarriedFromTheFrameBefore) {
   const auto masks = run({.pace = SegmentationPace::every_frame}, 6, gaps);
   for (int frame = 0; frame < 6; ++frame) {
     const DynamicMask& mask = masks[static_cast<std::size_t>(frame)];
-    EXPECT_EQ(mask.age, frame % 3 == 1 ? 1 : 0);
+    EXPECT_EQ(mask.report.mask_age, frame % 3 == 1 ? 1 : 0);
     EXPECT_GT(overlap(mask.mask, Scene::truth(frame)), 0.8) << frame;
   }
 }
@@ -127,7 +127,7 @@ TEST(SemanticThread, AsynchronousMasksHaveTheAgesThatFrameCountsSay) {
   const auto masks = run({.pace = SegmentationPace::asynchronous, .latency = 3}, 11);
   const std::vector<int> ages{0, 1, 2, 3, 3, 4, 5, 3, 4, 5, 3};
   for (std::size_t i = 0; i < ages.size(); ++i) {
-    EXPECT_EQ(masks[i].age, ages[i]) << i;
+    EXPECT_EQ(masks[i].report.mask_age, ages[i]) << i;
     EXPECT_GT(overlap(masks[i].mask, Scene::truth(static_cast<int>(i))), 0.75) << i;
   }
 }
@@ -136,7 +136,7 @@ TEST(SemanticThread, SlownessChangesNothing) {
   const SegmentationSettings settings{.pace = SegmentationPace::asynchronous, .latency = 2};
   const auto fast = run(settings, 8), slow = run(settings, 8, same, 15);
   for (std::size_t i = 0; i < fast.size(); ++i) {
-    EXPECT_EQ(fast[i].age, slow[i].age);
+    EXPECT_EQ(fast[i].report.mask_age, slow[i].report.mask_age);
     EXPECT_EQ(cv::countNonZero(fast[i].mask != slow[i].mask), 0) << i;
   }
 }
@@ -147,18 +147,18 @@ TEST(SemanticThread, AFaultIsReportedAndSurvived) {
     return mask;
   };
   const auto masks = run({.pace = SegmentationPace::every_frame}, 4, fault);
-  EXPECT_EQ(masks[2].age, 1);
-  EXPECT_NE(masks[2].problem.find("mask.png"), std::string::npos);
+  EXPECT_EQ(masks[2].report.mask_age, 1);
+  EXPECT_NE(masks[2].report.problem.find("mask.png"), std::string::npos);
   EXPECT_FALSE(masks[2].mask.empty());
-  EXPECT_EQ(masks[3].age, 0);
-  EXPECT_TRUE(masks[3].problem.empty());
+  EXPECT_EQ(masks[3].report.mask_age, 0);
+  EXPECT_TRUE(masks[3].report.problem.empty());
 }
 
 TEST(SemanticThread, WithoutAnyMaskNothingIsDynamic) {
   const auto none = [](int, cv::Mat) { return cv::Mat(); };
   for (const auto pace : {SegmentationPace::every_frame, SegmentationPace::asynchronous}) {
     for (const DynamicMask& mask : run({.pace = pace}, 5, none)) {
-      EXPECT_EQ(mask.age, -1);
+      EXPECT_EQ(mask.report.mask_age, -1);
       EXPECT_TRUE(mask.mask.empty());
     }
   }
@@ -171,7 +171,7 @@ TEST(SemanticThread, ADepthImageMayBeMissing) {
       RgbdImage image = Scene::image(frame);
       if (frame > 1) image.depth.release();
       thread.begin(image, image.colour, frame);
-      EXPECT_GT(thread.finish().share, 0) << frame;
+      EXPECT_GT(thread.finish().report.dynamic_share, 0) << frame;
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "features/feature_settings.hpp"
 #include "loop_closing/loop_settings.hpp"
 #include "mapping/mapping_settings.hpp"
+#include "place_recognition/place_recognition_settings.hpp"
 #include "segmentation/mask_degradation.hpp"
 #include "segmentation/network/network_settings.hpp"
 #include "segmentation/propagation/mask_propagator.hpp"
@@ -54,6 +55,7 @@ struct Settings {
   PoseOptimisationSettings pose_optimisation;
   MappingSettings mapping;
   BundleSettings bundle_adjustment;
+  PlaceRecognitionSettings place_recognition;
   LoopSettings loop_closing;
   PoseGraphSettings pose_graph;
   BundleSettings full_bundle_adjustment{10, 10, 1e-4};
@@ -73,6 +75,7 @@ struct Settings {
     visit("pose_optimisation", self.pose_optimisation);
     visit("mapping", self.mapping);
     visit("bundle_adjustment", self.bundle_adjustment);
+    visit("place_recognition", self.place_recognition);
     visit("loop_closing", self.loop_closing);
     visit("pose_graph", self.pose_graph);
     visit("full_bundle_adjustment", self.full_bundle_adjustment);

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "atlas/map_bundle.hpp"
 #include "atlas/map_file.hpp"
 #include "slam/pipeline.hpp"
 
@@ -21,69 +20,38 @@ Settings valid(const Settings& settings) {
 
 }  // namespace
 
-struct Slam::Implementation {
-  Implementation(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
-      : pipeline(valid(camera), valid(settings), std::move(segmenter)) {}
-  Pipeline pipeline;
-};
-
 Slam::Slam(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
-    : implementation_(std::make_unique<Implementation>(camera, settings, std::move(segmenter))) {}
+    : pipeline_(std::make_unique<Pipeline>(valid(camera), valid(settings), std::move(segmenter))) {}
 
 Slam::~Slam() = default;
 
-TrackingResult Slam::track(const RgbdImage& image) { return implementation_->pipeline.track(image); }
-TrackingResult Slam::skip(double timestamp) { return implementation_->pipeline.skip(timestamp); }
-std::vector<LoopReport> Slam::finish() { return implementation_->pipeline.finish(); }
-void Slam::load_map(const std::filesystem::path& path) { implementation_->pipeline.load_map(path); }
+TrackingResult Slam::track(const RgbdImage& image) { return pipeline_->track(image); }
+TrackingResult Slam::skip(double timestamp) { return pipeline_->skip(timestamp); }
+std::vector<LoopReport> Slam::finish() { return pipeline_->finish(); }
+void Slam::load_map(const std::filesystem::path& path) { pipeline_->load_map(path); }
 void Slam::save_map(const std::filesystem::path& path) {
-  implementation_->pipeline.finish();
-  stdc::save_map(path, implementation_->pipeline.camera(), implementation_->pipeline.atlas());
+  pipeline_->finish();
+  stdc::save_map(path, pipeline_->camera(), pipeline_->atlas());
 }
 
-std::vector<FramePose> Slam::trajectory() const {
-  implementation_->pipeline.finish();
-  return implementation_->pipeline.trajectory();
-}
+std::vector<FramePose> Slam::trajectory() const { return pipeline_->trajectory(); }
 
 std::vector<FramePose> Slam::keyframe_trajectory() const {
-  implementation_->pipeline.finish();
-  const Atlas& atlas = implementation_->pipeline.atlas();
+  const AtlasSnapshot& snapshot = pipeline_->snapshot();
   std::vector<FramePose> poses;
-  for (const KeyframeId id : atlas.keyframe_ids()) {
-    if (id < implementation_->pipeline.first_own_keyframe()) continue;
-    const Keyframe& keyframe = atlas.keyframe(id);
+  for (KeyframeId id = pipeline_->first_own_keyframe(); id.value < snapshot.keyframes().size(); ++id.value) {
+    if (!snapshot.is_kept(id)) continue;
+    const AtlasSnapshot::KeyframeState& keyframe = snapshot.keyframes()[id.value];
     poses.push_back({keyframe.frame, keyframe.timestamp, keyframe.cam_from_world.inverse(), keyframe.map});
   }
   return poses;
 }
 
-int Slam::maps() const {
-  implementation_->pipeline.finish();
-  const Atlas& atlas = implementation_->pipeline.atlas();
-  int maps = 0;
-  for (int number = 0; number < atlas.map_count(); ++number) maps += atlas.root(number).valid() ? 1 : 0;
-  return maps;
-}
-
-int Slam::keyframes() const {
-  implementation_->pipeline.finish();
-  return implementation_->pipeline.atlas().keyframe_count();
-}
-
-int Slam::landmarks() const {
-  implementation_->pipeline.finish();
-  return implementation_->pipeline.atlas().landmark_count();
-}
-
-std::vector<Eigen::Vector3d> Slam::landmark_positions(int map_number) const {
-  implementation_->pipeline.finish();
-  const Atlas& atlas = implementation_->pipeline.atlas();
-  std::vector<Eigen::Vector3d> positions;
-  if (map_number >= atlas.map_count()) return positions;
-  for (const LandmarkId id : landmarks_of(atlas, atlas.keyframe_ids(map_number)))
-    positions.push_back(atlas.landmark(id).position);
-  return positions;
+int Slam::maps() const { return pipeline_->snapshot().map_count(); }
+int Slam::keyframes() const { return pipeline_->snapshot().keyframe_count(); }
+int Slam::landmarks() const { return pipeline_->snapshot().landmark_count(); }
+std::vector<Eigen::Vector3d> Slam::landmark_positions(MapId map) const {
+  return pipeline_->snapshot().landmark_positions(map);
 }
 
 }  // namespace stdc

@@ -28,7 +28,7 @@ class Walk {
     change(image);
     TrackingResult result = slam.track(image);
     EXPECT_EQ(result.status == TrackingStatus::ok, result.cam_from_world.has_value());
-    EXPECT_EQ(result.status == TrackingStatus::ok, result.map >= 0);
+    EXPECT_EQ(result.status == TrackingStatus::ok, result.map.valid());
     if (result.status == TrackingStatus::ok) places.push_back(place);
     results.push_back(result);
     return result;
@@ -44,7 +44,7 @@ class Walk {
                                           [&](const TrackingResult& r) { return r.status == status; }));
   }
   /// Largest distance from the truth of frames in a map, whose first frame was taken at `origin` [m].
-  double worst_error(int map, int origin) {
+  double worst_error(MapId map, int origin) {
     const auto& truth = Footage::of_a_room().frames;
     const std::vector<FramePose> poses = slam.trajectory();
     EXPECT_EQ(poses.size(), places.size());

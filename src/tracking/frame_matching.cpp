@@ -1,26 +1,15 @@
 #include "tracking/frame_matching.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "atlas/visibility.hpp"
 #include "features/description/matching.hpp"
 
 namespace stdc {
 namespace {
 
-/// Ideal pixel at which the frame shows a world point if it lies before the camera and inside the image.
-std::optional<Eigen::Vector2f> project_inside(const Camera& camera, const TrackedFrame& frame,
-                                              const Eigen::Vector3d& position) {
-  constexpr double kNearest = 0.05;  // [m]
-  const Eigen::Vector3d point = frame.cam_from_world * position;
-  if (!(point.z() > kNearest)) return {};
-  const Eigen::Vector2d pixel = frame.motion.project(camera, point);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera.width && pixel.y() < camera.height)) return {};
-  return pixel.cast<float>();
-}
-
-/// Drops the matches whose turn does not agree with that of most.
+/// Drops the matches whose rotation does not agree with that of most.
 void keep_consistent(std::vector<FrameMatch>& matches, const std::vector<float>& rotations) {
   const std::vector<std::uint8_t> keep = consistent_rotations(rotations);
   std::size_t kept = 0;
@@ -53,7 +42,7 @@ std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& l
   std::vector<float> rotations;
   std::vector<std::uint8_t> taken(features.size(), 0);
   const Pose world_from_last = last.cam_from_world.inverse();
-  const int top = features.levels() - 1;
+  const ViewingImage image(camera, frame.cam_from_world, frame.motion, features);
   for (const bool temporary : {false, true}) {
     // With enough landmarks the temporary points, whose depth was seen once only, would add noise alone.
     if (temporary && static_cast<int>(matches.size()) >= settings.initial_landmarks) break;
@@ -61,11 +50,10 @@ std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& l
       int landmark = -1;
       const auto position = point_of_last(camera, local_map, last, world_from_last, i, temporary, &landmark);
       if (!position) continue;
-      const auto pixel = project_inside(camera, frame, *position);
+      const auto pixel = image.project(*position);
       if (!pixel) continue;
-      const int level = last.features->keypoint(i).level;
-      const SearchWindow window{pixel->x(), pixel->y(), static_cast<float>(radius) * features.scale(level),
-                                std::max(level - 1, 0), std::min(level + 1, top)};
+      const SearchWindow window =
+          image.window({pixel->cast<float>(), 1, last.features->keypoint(i).level}, radius, 1);
       const Descriptor& descriptor =
           landmark >= 0 ? local_map.landmarks[landmark].descriptor : last.features->descriptor(i);
       const BestMatch best = match_in_window(features, descriptor, window, taken);
@@ -100,38 +88,25 @@ void match_local_map(const Camera& camera, const LocalMap& local_map, const Trac
                      double radius, const TrackingSettings& settings, std::vector<FrameMatch>& matches,
                      std::vector<int>& visible) {
   const FrameFeatures& features = *frame.features;
-  constexpr float kMaxAngleCosine = 0.5F;  // 60 degrees between now and the mean viewing direction
   std::vector<std::uint8_t> taken(features.size(), 0), matched(local_map.landmarks.size(), 0);
   for (const FrameMatch& match : matches) {
     if (match.landmark < 0) continue;  // a landmark may take a temporary point's keypoint
     taken[match.keypoint] = 1;
     matched[match.landmark] = 1;
   }
-  const Eigen::Vector3d centre = frame.cam_from_world.centre();
-  const int top = features.levels() - 1;
+  const ViewingImage image(camera, frame.cam_from_world, frame.motion, features);
   for (int i = 0; i < static_cast<int>(local_map.landmarks.size()); ++i) {
     const LocalLandmark& landmark = local_map.landmarks[i];
     if (matched[i] != 0) {
       visible.push_back(i);
       continue;
     }
-    const auto pixel = project_inside(camera, frame, landmark.position);
-    if (!pixel) continue;
-    const Eigen::Vector3f ray = (landmark.position - centre).cast<float>();
-    const float distance = ray.norm();
-    // The range of scales is widened a little: the level of a keypoint is not exact.
-    if (distance < 0.8F * landmark.min_distance || distance > 1.2F * landmark.max_distance) continue;
-    const float cosine = ray.dot(landmark.direction) / distance;
-    if (cosine < kMaxAngleCosine) continue;
+    const auto expected = image.expect(landmark);
+    if (!expected) continue;
     visible.push_back(i);
-    const int level = std::clamp(
-        static_cast<int>(std::ceil(std::log(landmark.max_distance / distance) / features.log_scale_factor())),
-        0, top);
     // Seen from the side a point's appearance and place are less sure.
-    const double wider = cosine > 0.998F ? 1.0 : 1.6;
-    const SearchWindow window{pixel->x(), pixel->y(),
-                              static_cast<float>(radius * wider) * features.scale(level),
-                              std::max(level - 1, 0), std::min(level + 1, top)};
+    const double wider = expected->cosine > 0.998F ? 1.0 : 1.6;
+    const SearchWindow window = image.window(*expected, radius * wider, 1);
     const BestMatch best = match_in_window(features, landmark.descriptor, window, taken);
     if (!best.accepted(settings.loose_max_hamming_distance, settings.max_ratio)) continue;
     taken[best.index] = 1;
@@ -140,8 +115,8 @@ void match_local_map(const Camera& camera, const LocalMap& local_map, const Trac
   std::erase_if(matches, [&](const FrameMatch& m) { return m.landmark < 0 && taken[m.keypoint] != 0; });
 }
 
-void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& local_map,
-                   const Pyramid& pyramid, const std::vector<FrameMatch>& matches, TrackedFrame& frame) {
+void align_matches(const SensorModel& sensor, const LocalMap& local_map,
+                   const std::vector<FrameMatch>& matches, TrackedFrame& frame) {
   constexpr float kReach = 3;  // [px of the level]; FAST corners do not wander further
   for (const FrameMatch& match : matches) {
     if (match.landmark < 0) continue;
@@ -150,11 +125,11 @@ void align_matches(const Camera& camera, const NoiseSettings& noise, const Local
     const ReferenceView reference{view.features.get(), landmark.view_keypoint, view.cam_from_world,
                                   landmark.view_pixel};
     const Keypoint& keypoint = frame.features->keypoint(match.keypoint);
-    const auto observation = align_in_image(camera, noise, reference, match.position, frame.cam_from_world,
-                                            *frame.features, pyramid, {keypoint.x, keypoint.y}, kReach);
+    const auto observation = align_in_image(sensor, reference, match.position, frame.cam_from_world,
+                                            *frame.features, *frame.pyramid, {keypoint.x, keypoint.y}, kReach);
     if (!observation) continue;
     const auto z = static_cast<float>((frame.cam_from_world * match.position).z());
-    frame.measurements[match.keypoint] = measure(camera, frame.motion, observation->seen, z,
+    frame.measurements[match.keypoint] = measure(sensor.camera, frame.motion, observation->seen, z,
                                                  frame.features->depth(match.keypoint), observation->scale);
   }
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "estimation/sensor_model.hpp"
 #include "estimation/pose_optimisation.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
@@ -19,14 +20,14 @@ struct FrameMatch {
 };
 
 /// Matches the landmarks that the last frame saw around where the frame's predicted pose and motion put them,
-/// with consistent turns. Where they are few, points made of the last frame's other keypoints with depth are
+/// with consistent rotations. Where they are few, points made of the last frame's other keypoints with depth are
 /// matched too.
 /// @param radius  search radius [px] on level 0; grows with the level's scale
 std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& local_map,
                                          const TrackedFrame& last, const TrackedFrame& frame, double radius,
                                          const TrackingSettings& settings);
 
-/// Matches the reference keyframe's landmarks by descriptor alone, with consistent turns.
+/// Matches the reference keyframe's landmarks by descriptor alone, with consistent rotations.
 std::vector<FrameMatch> match_reference(const LocalMap& local_map, const FrameFeatures& frame,
                                         const TrackingSettings& settings);
 
@@ -40,8 +41,8 @@ void match_local_map(const Camera& camera, const LocalMap& local_map, const Trac
 
 /// Aligns the frame's image to the reference view of the matched landmarks: sets the measurements of those
 /// keypoints where it succeeds.
-void align_matches(const Camera& camera, const NoiseSettings& noise, const LocalMap& local_map,
-                   const Pyramid& pyramid, const std::vector<FrameMatch>& matches, TrackedFrame& frame);
+void align_matches(const SensorModel& sensor, const LocalMap& local_map,
+                   const std::vector<FrameMatch>& matches, TrackedFrame& frame);
 
 /// The observations of these matches, for the pose optimisation.
 std::vector<PoseObservation> make_observations(const TrackedFrame& frame,

@@ -21,7 +21,7 @@ CloseCounts count_close(const TrackedFrame& frame, double close_depth) {
   return counts;
 }
 
-/// Camera's way from the reference keyframe over the median depth of what it sees now.
+/// Distance of the camera from the reference keyframe over the median depth of what it sees now.
 double parallax_ratio(const TrackedFrame& frame, const LocalMap& local_map) {
   std::vector<double> depths;
   for (int i = 0; i < frame.features->size(); ++i) {
@@ -52,12 +52,11 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
   return few_tracked || moved || (long_ago && frame.inliers < 0.9 * reference);
 }
 
-KeyframeId insert_keyframe(Atlas& atlas, const Camera& camera, const NoiseSettings& noise,
-                           TrackedFrame& frame, const TrackingSettings& settings, int number) {
+KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame& frame, const TrackingSettings& settings, MapId map) {
   const FrameFeatures& features = *frame.features;
-  const bool first = number == atlas.map_count();
+  const bool first = map == atlas.next_map();
   const KeyframeId keyframe = atlas.add_keyframe({frame.index, frame.timestamp, frame.cam_from_world,
-                                                  frame.motion, frame.features, frame.measurements, number});
+                                                  frame.motion, frame.features, frame.measurements, map});
   std::vector<int> free_with_depth;
   for (int i = 0; i < features.size(); ++i) {
     LandmarkId& landmark = frame.landmarks[i];
@@ -67,7 +66,6 @@ KeyframeId insert_keyframe(Atlas& atlas, const Camera& camera, const NoiseSettin
   std::stable_sort(free_with_depth.begin(), free_with_depth.end(),
                    [&](int a, int b) { return frame.measurements[a].depth < frame.measurements[b].depth; });
   const Pose world_from_cam = frame.cam_from_world.inverse();
-  const auto aligned = static_cast<float>(noise.aligned_pixel_sigma / noise.pixel_sigma);
   for (std::size_t rank = 0; rank < free_with_depth.size(); ++rank) {
     const int i = free_with_depth[rank];
     const Measurement& measurement = frame.measurements[i];
@@ -75,11 +73,11 @@ KeyframeId insert_keyframe(Atlas& atlas, const Camera& camera, const NoiseSettin
     const bool enough = !first && static_cast<int>(rank) >= settings.initial_landmarks;
     if (measurement.depth > settings.close_depth && enough) break;
     const LandmarkId landmark = atlas.add_landmark(
-        world_from_cam * camera.unproject(measurement.pixel.cast<double>(), measurement.depth), keyframe);
+        world_from_cam * sensor.camera.unproject(measurement.pixel.cast<double>(), measurement.depth), keyframe);
     atlas.observe(keyframe, i, landmark);
     atlas.refresh(landmark);
     // This observation defines what the landmark is.
-    frame.measurements[i].scale = features.scale_of(i) * aligned;
+    frame.measurements[i].scale = features.scale_of(i) * sensor.aligned_scale();
     frame.landmarks[i] = landmark;
     frame.outlier[i] = 0;
   }

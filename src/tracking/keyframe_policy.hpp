@@ -2,7 +2,7 @@
 
 #include "atlas/atlas.hpp"
 #include "core/camera.hpp"
-#include "estimation/noise_settings.hpp"
+#include "estimation/sensor_model.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
 #include "tracking/tracking_settings.hpp"
@@ -20,8 +20,7 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 /// Puts a frame into the map as a keyframe: it observes its inlier landmarks, and new landmarks are made of
 /// the depths of its other keypoints: all close ones, and in any case the nearest `initial_landmarks`. The
 /// frame then sees these too.
-/// @param number  of the map that it goes to; `map.map_count()` starts another one
-KeyframeId insert_keyframe(Atlas& atlas, const Camera& camera, const NoiseSettings& noise,
-                           TrackedFrame& frame, const TrackingSettings& settings, int number = 0);
+/// @param map  to which it goes; `atlas.next_map()` starts another one
+KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame& frame, const TrackingSettings& settings, MapId map = {0});
 
 }  // namespace stdc

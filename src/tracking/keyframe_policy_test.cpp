@@ -112,7 +112,7 @@ TEST(KeyframePolicy, InsertsWithTheFramesLandmarksAndMakesCloseOnes) {
   scene.frame.measurements[0].scale = 0.7F;  // aligned by the tracker
   const TrackedFrame before = scene.frame;
   const int landmarks = atlas.landmark_count();
-  const KeyframeId id = insert_keyframe(atlas, scene.mapped.scene.camera, noise, scene.frame, scene.settings);
+  const KeyframeId id = insert_keyframe(atlas, {scene.mapped.scene.camera, noise}, scene.frame, scene.settings);
   test::expect_consistent(atlas);
   const Keyframe& keyframe = atlas.keyframe(id);
   EXPECT_EQ(keyframe.frame, 31);
@@ -147,7 +147,7 @@ TEST(KeyframePolicy, TheFirstKeyframeMakesAllLandmarksItCan) {
   scene.settings.initial_landmarks = 40;
   scene.untrack(scene.frame.features->size());
   Atlas atlas;
-  insert_keyframe(atlas, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
+  insert_keyframe(atlas, {scene.mapped.scene.camera, {}}, scene.frame, scene.settings);
   const auto with_depth = std::count_if(scene.frame.measurements.begin(), scene.frame.measurements.end(),
                                         [](const Measurement& m) { return m.depth > 0; });
   EXPECT_EQ(atlas.landmark_count(), with_depth);
@@ -160,7 +160,7 @@ TEST(KeyframePolicy, MakesTheNearestLandmarksWhereNothingIsClose) {
   scene.untrack(scene.frame.features->size());
   Atlas& atlas = scene.mapped.atlas;
   const int before = atlas.landmark_count();
-  const KeyframeId id = insert_keyframe(atlas, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
+  const KeyframeId id = insert_keyframe(atlas, {scene.mapped.scene.camera, {}}, scene.frame, scene.settings);
   EXPECT_EQ(atlas.landmark_count() - before, 40);
   double furthest = 0, nearest_left = 1e9;
   for (int i = 0; i < scene.frame.features->size(); ++i) {
@@ -181,7 +181,7 @@ TEST(KeyframePolicy, LandmarksThatAreGoneAreMadeAnew) {
   const LandmarkId gone = scene.frame.landmarks[7], twice = scene.frame.landmarks[8];
   atlas.remove(gone);
   scene.frame.landmarks[9] = twice;  // merged since: two keypoints have the same landmark now
-  const KeyframeId id = insert_keyframe(atlas, scene.mapped.scene.camera, {}, scene.frame, scene.settings);
+  const KeyframeId id = insert_keyframe(atlas, {scene.mapped.scene.camera, {}}, scene.frame, scene.settings);
   test::expect_consistent(atlas);
   EXPECT_EQ(atlas.keyframe(id).landmarks[8], twice);
   EXPECT_EQ(atlas.keypoint_of(twice, id), 8);

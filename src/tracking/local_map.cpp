@@ -5,7 +5,7 @@
 namespace stdc {
 namespace {
 
-/// Keyframes that see the frame's landmarks, most shared first, then neighbours and kin of those.
+/// Keyframes that see the frame's landmarks, most shared first, then neighbours and parents of those.
 std::vector<KeyframeId> choose_keyframes(const Atlas& atlas, std::span<const LandmarkId> seen,
                                          KeyframeId fallback, int most) {
   std::vector<int> votes(atlas.keyframe_id_limit(), 0);
@@ -40,26 +40,23 @@ std::vector<KeyframeId> choose_keyframes(const Atlas& atlas, std::span<const Lan
   return chosen;
 }
 
-/// Copies landmarks out, and the keyframes that reference view them once each.
+/// Copies landmarks out, and the keyframes of their reference views once each.
 class Copier {
  public:
-  explicit Copier(const Atlas& atlas) : map_(atlas), view_index_(atlas.keyframe_id_limit(), -1) {}
+  explicit Copier(const Atlas& atlas) : atlas_(atlas), view_index_(atlas.keyframe_id_limit(), -1) {}
 
   LocalLandmark copy(const Landmark& landmark, std::vector<LocalReferenceView>& reference_views) {
     constexpr std::size_t kEstablished = 3;
     const Observation& oldest = landmark.observations.front();
-    const Keyframe& keyframe = map_.keyframe(oldest.keyframe);
+    const Keyframe& keyframe = atlas_.keyframe(oldest.keyframe);
     int& view = view_index_[oldest.keyframe.value];
     if (view < 0) {
       view = static_cast<int>(reference_views.size());
       reference_views.push_back({keyframe.features, keyframe.cam_from_world});
     }
     LocalLandmark local;
+    static_cast<LandmarkGeometry&>(local) = landmark;
     local.id = landmark.id;
-    local.min_distance = landmark.min_distance;
-    local.max_distance = landmark.max_distance;
-    local.direction = landmark.direction;
-    local.position = landmark.position;
     local.descriptor = landmark.descriptor;
     local.established = landmark.observations.size() >= kEstablished;
     local.view = view;
@@ -69,7 +66,7 @@ class Copier {
   }
 
  private:
-  const Atlas& map_;
+  const Atlas& atlas_;
   std::vector<int> view_index_;
 };
 

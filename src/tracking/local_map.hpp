@@ -14,16 +14,13 @@
 namespace stdc {
 
 /// What the tracker needs to know of a landmark.
-struct LocalLandmark {
+struct LocalLandmark : LandmarkGeometry {
   LandmarkId id;
-  float min_distance = 0, max_distance = 0;             ///< [m]
-  Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< mean viewing direction, world
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< world [m]
   Descriptor descriptor;
   bool established = false;  ///< seen by three keyframes or more
   int view = 0;              ///< index into LocalMap::reference_views
   int view_keypoint = 0;
-  Eigen::Vector2f view_pixel = Eigen::Vector2f::Zero();
+  Eigen::Vector2f view_pixel = Eigen::Vector2f::Zero();  ///< ideal pixel at which the reference view sees it
 };
 
 /// A keyframe that saw some of the landmarks first.

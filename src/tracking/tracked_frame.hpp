@@ -15,19 +15,24 @@ struct TrackedFrame {
   int index = 0;         ///< of the input frame
   double timestamp = 0;  ///< [s]
   std::shared_ptr<const FrameFeatures> features;
+  std::shared_ptr<const Pyramid> pyramid;  ///< of the image, while the frame is being tracked
   Pose cam_from_world;                    ///< when the middle row was read
   CameraMotion motion;                    ///< about that pose
   std::vector<Measurement> measurements;  ///< per keypoint
   std::vector<LandmarkId> landmarks;      ///< per keypoint; invalid: none
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
-  int matches = 0;                    ///< before the last optimisation
-  int inliers = 0;                    ///< landmarks left after it
+  int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation with the local map
+  int inliers = 0;  ///< landmarks that agree with the pose in the end
 
   TrackedFrame() = default;
   /// At rest until the tracker knows better.
   TrackedFrame(const Camera& camera, int frame_index, double time,
-               std::shared_ptr<const FrameFeatures> frame_features)
-      : index(frame_index), timestamp(time), features(std::move(frame_features)) {
+               std::shared_ptr<const FrameFeatures> frame_features,
+               std::shared_ptr<const Pyramid> image_pyramid = nullptr)
+      : index(frame_index),
+        timestamp(time),
+        features(std::move(frame_features)),
+        pyramid(std::move(image_pyramid)) {
     motion = CameraMotion(camera, Vector6d::Zero());
     measurements = measure_keypoints(camera, motion, *features);
     landmarks.resize(features->size());

@@ -6,23 +6,22 @@
 
 namespace stdc {
 
-Tracker::Tracker(const Camera& camera, const TrackingSettings& settings, const NoiseSettings& noise,
-                 const PoseOptimisationSettings& optimisation)
-    : camera_(camera), settings_(settings), noise_(noise), optimisation_(optimisation) {}
+Tracker::Tracker(const PoseEstimator& estimator, const TrackingSettings& settings)
+    : estimator_(estimator), settings_(settings) {}
 
-bool Tracker::track(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid) {
-  times_ = {};
+TrackAttempt Tracker::track(TrackedFrame& frame, const LocalMap& local_map) {
+  TrackAttempt attempt;
   Stopwatch watch;
   std::vector<FrameMatch> matches = track_motion(frame, local_map);
   if (static_cast<int>(matches.size()) < settings_.min_inliers_motion)
     matches = track_reference(frame, local_map);
-  times_.prediction = watch.lap_ms();
-  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) return false;
-  frame.set_motion(camera_, velocity_to(frame));
-  const bool tracked = refine(frame, local_map, pyramid, std::move(matches), settings_.local_map_radius,
-                              settings_.min_inliers);
-  times_.local_map = watch.lap_ms();
-  return tracked;
+  attempt.prediction_ms = watch.lap_ms();
+  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) return attempt;
+  frame.set_motion(camera(), velocity_to(frame));
+  attempt.tracked =
+      refine(frame, local_map, std::move(matches), settings_.local_map_radius, settings_.min_inliers);
+  attempt.local_map_ms = watch.lap_ms();
+  return attempt;
 }
 
 /// Constant velocity, scaled to the time that passed: frames may have been dropped.
@@ -35,7 +34,7 @@ std::optional<Pose> Tracker::predicted_motion(double timestamp) const {
   return Pose::exp(velocity_ * (timestamp - last_->timestamp));
 }
 
-/// A camera in a hand keeps its velocity but for an acceleration that is as likely one way as the other (the
+/// A hand-held camera keeps its velocity but for an acceleration that is as likely one way as the other (the
 /// white-noise-on-acceleration prior; Barfoot, State Estimation for Robotics, ch. 11). It decides where a
 /// blurred frame shows little, and hardly matters where a sharp one shows much.
 PosePrior Tracker::motion_prior(const TrackedFrame& frame) const {
@@ -52,12 +51,12 @@ PosePrior Tracker::motion_prior(const TrackedFrame& frame) const {
 
 std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& local_map) const {
   frame.cam_from_world = predict(frame.timestamp);
-  frame.set_motion(camera_, velocity_);
+  frame.set_motion(camera(), velocity_);
   std::vector<FrameMatch> matches;
   // Where the prediction was wrong (a jerk, a blurred stretch), look further.
   for (const double widening : {1.0, 2.5}) {
     matches =
-        match_last_frame(camera_, local_map, *last_, frame, widening * settings_.search_radius, settings_);
+        match_last_frame(camera(), local_map, *last_, frame, widening * settings_.search_radius, settings_);
     if (static_cast<int>(matches.size()) >= 2 * settings_.min_inliers_motion) break;
   }
   return optimise(frame, std::move(matches));
@@ -65,7 +64,7 @@ std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMa
 
 std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const LocalMap& local_map) const {
   frame.cam_from_world = last_->cam_from_world;
-  frame.set_motion(camera_, Vector6d::Zero());
+  frame.set_motion(camera(), Vector6d::Zero());
   return optimise(frame, match_reference(local_map, *frame.features, settings_));
 }
 
@@ -73,7 +72,7 @@ std::vector<FrameMatch> Tracker::track_reference(TrackedFrame& frame, const Loca
 std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const {
   const std::vector<PoseObservation> observations = make_observations(frame, matches);
   const PoseOptimisationResult result =
-      optimise_pose(camera_, observations, frame.cam_from_world, noise_, optimisation_, motion_prior(frame));
+      estimator_.estimate(observations, frame.cam_from_world, motion_prior(frame));
   if (!result.usable) return {};
   frame.cam_from_world = result.cam_from_world;
   std::size_t kept = 0;
@@ -84,10 +83,10 @@ std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<Frame
   return matches;
 }
 
-bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid,
-                     std::vector<FrameMatch> matches, double radius, int min_inliers) {
+bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector<FrameMatch> matches,
+                     double radius, int min_inliers) {
   std::vector<int> visible;
-  match_local_map(camera_, local_map, frame, radius, settings_, matches, visible);
+  match_local_map(camera(), local_map, frame, radius, settings_, matches, visible);
   const auto is_temporary = [](const FrameMatch& m) { return m.landmark < 0; };
   const auto temporary = std::count_if(matches.begin(), matches.end(), is_temporary);
   if (static_cast<int>(matches.size() - temporary) >= settings_.initial_landmarks) {
@@ -97,10 +96,10 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, const Pyram
   std::vector<FrameMatch> inliers = optimise(frame, matches);
   // Once the pose is about right the landmarks' own patches tell where they are more exactly than the
   // corners.
-  align_matches(camera_, noise_, local_map, pyramid, inliers, frame);
+  align_matches(estimator_.sensor, local_map, inliers, frame);
   inliers = optimise(frame, std::move(inliers));
   if (last_ && frame.motion.readout_time != 0) {
-    frame.set_motion(camera_, velocity_to(frame));
+    frame.set_motion(camera(), velocity_to(frame));
     inliers = optimise(frame, std::move(inliers));
   }
   std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
@@ -145,6 +144,7 @@ void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Po
   velocity_known_ = last_.has_value();
   velocity_ = velocity_to(frame);
   last_ = frame;
+  last_->pyramid.reset();
   last_reference_ = reference;
   last_from_reference_ = frame.cam_from_world * reference_from_world.inverse();
 }

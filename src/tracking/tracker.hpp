@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
-#include "core/camera.hpp"
-#include "estimation/pose_optimisation.hpp"
+#include "estimation/sensor_model.hpp"
 #include "tracking/frame_matching.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
@@ -13,9 +12,11 @@
 
 namespace stdc {
 
-/// Wall milliseconds of the tracker's steps.
-struct TrackerTimes {
-  double prediction = 0, local_map = 0;
+/// What came of tracking a frame from the last one.
+struct TrackAttempt {
+  bool tracked = false;
+  double prediction_ms = 0;  ///< wall: matching to the last frame or the reference keyframe, first optimisation
+  double local_map_ms = 0;   ///< wall: matching to the local map, aligning, optimising
 };
 
 /// Finds the pose of each frame from that of the frame before and the local map, as ORB-SLAM does: predict,
@@ -23,15 +24,13 @@ struct TrackerTimes {
 /// 2015, sec. V). Knows the map only as a LocalMap; never throws on what a frame shows.
 class Tracker {
  public:
-  Tracker(const Camera& camera, const TrackingSettings& settings, const NoiseSettings& noise,
-          const PoseOptimisationSettings& optimisation);
+  Tracker(const PoseEstimator& estimator, const TrackingSettings& settings);
 
-  /// Tracks a frame from the last one: fills its pose, landmarks, matches and inliers. False: it is lost.
-  /// `pyramid`: of the frame's image.
-  bool track(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid);
+  /// Tracks a frame from the last one: fills its pose, landmarks, matches and inliers.
+  TrackAttempt track(TrackedFrame& frame, const LocalMap& local_map);
   /// Matches the local map to a frame whose pose is about known and optimises. False: too few inliers.
-  bool refine(TrackedFrame& frame, const LocalMap& local_map, const Pyramid& pyramid,
-              std::vector<FrameMatch> matches, double radius, int min_inliers);
+  bool refine(TrackedFrame& frame, const LocalMap& local_map, std::vector<FrameMatch> matches, double radius,
+              int min_inliers);
 
   /// From now on this is the last frame. `reference`: keyframe of the local map it was tracked in.
   void remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world);
@@ -49,8 +48,6 @@ class Tracker {
   /// Or drops them: the map is to stay as it is.
   void drop_counts() { counts_.clear(); }
 
-  const TrackerTimes& times() const { return times_; }
-
  private:
   Pose predict(double timestamp) const;
   Vector6d velocity_to(const TrackedFrame& frame) const;
@@ -66,17 +63,16 @@ class Tracker {
     int visible = 0, found = 0;
   };
 
-  Camera camera_;
+  const Camera& camera() const { return estimator_.sensor.camera; }
+
+  PoseEstimator estimator_;
   TrackingSettings settings_;
-  NoiseSettings noise_;
-  PoseOptimisationSettings optimisation_;
   std::optional<TrackedFrame> last_;
   KeyframeId last_reference_;
   Pose last_from_reference_;
   Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
   bool velocity_known_ = false;
   std::vector<Count> counts_;
-  TrackerTimes times_;
 };
 
 }  // namespace stdc

@@ -16,9 +16,9 @@ class TrackerTest : public ::testing::Test {
     mapped.add(mapped.scene.look(test::camera_at(0, 0, 0)));
     mapped.add(mapped.scene.look(test::camera_at(0.3, 0, 0)));
     local = make_local_map(mapped.atlas, mapped.landmarks, {0}, 10);
-    pyramid.build(cv::Mat(480, 640, CV_8UC1, cv::Scalar(128)), test::scene_feature_settings());
+    pyramid->build(cv::Mat(480, 640, CV_8UC1, cv::Scalar(128)), test::scene_feature_settings());
     velocity << -0.6, 0.15, -0.2, 0.1, -0.3, 0.2;
-    tracker.emplace(mapped.scene.camera, settings, NoiseSettings(), PoseOptimisationSettings());
+    tracker.emplace(PoseEstimator{{mapped.scene.camera, {}}, {}}, settings);
   }
   /// The camera's pose at a frame when it keeps its velocity.
   Pose truth(int index) const { return Pose::exp(velocity * (index / 30.0)) * test::camera_at(0.05, 0, 0); }
@@ -32,7 +32,7 @@ class TrackerTest : public ::testing::Test {
     return mapped.scene.look(pose, options);
   }
   TrackedFrame new_frame(const test::View& view, int index) const {
-    return {mapped.scene.camera, index, index / 30.0, view.features};
+    return {mapped.scene.camera, index, index / 30.0, view.features, pyramid};
   }
   void remember_true(int index) {
     tracker->remember(test::tracked_frame(mapped, look(truth(index), index), index), local.reference,
@@ -51,7 +51,7 @@ class TrackerTest : public ::testing::Test {
 
   test::MappedScene mapped;
   LocalMap local;
-  Pyramid pyramid;
+  std::shared_ptr<Pyramid> pyramid = std::make_shared<Pyramid>();
   Vector6d velocity;
   TrackingSettings settings;
   std::optional<Tracker> tracker;
@@ -67,7 +67,7 @@ TEST_F(TrackerTest, FollowsACameraThatKeepsItsVelocity) {
   for (int index = 2; index < 8; ++index) {
     const test::View view = look(truth(index), index);
     TrackedFrame frame = new_frame(view, index);
-    ASSERT_TRUE(tracker->track(frame, local, pyramid));
+    ASSERT_TRUE(tracker->track(frame, local).tracked);
     EXPECT_LT(test::centre_error(frame.cam_from_world, truth(index)), 0.005);
     EXPECT_LT(test::angle_error(frame.cam_from_world, truth(index)), 0.002);
     EXPECT_EQ(count_wrong(frame, view), 0);
@@ -81,7 +81,7 @@ TEST_F(RollingTrackerTest, FollowsThroughARollingShutter) {
   begin();
   for (int index = 2; index < 6; ++index) {
     TrackedFrame frame = new_frame(look(truth(index), index), index);
-    ASSERT_TRUE(tracker->track(frame, local, pyramid));
+    ASSERT_TRUE(tracker->track(frame, local).tracked);
     EXPECT_LT(test::centre_error(frame.cam_from_world, truth(index)), 0.006);
     EXPECT_LT(test::angle_error(frame.cam_from_world, truth(index)), 0.003);
     EXPECT_LT((frame.motion.twist - velocity).norm(), 0.25);
@@ -95,7 +95,7 @@ TEST_F(TrackerTest, AJerkIsFoundByLookingFurther) {
   const Pose jerked = Pose(rotation_exp({0.01, 0.045, 0}), Eigen::Vector3d(0.01, 0, 0)) * truth(2);
   const test::View view = look(jerked, 2);
   TrackedFrame frame = new_frame(view, 2);
-  ASSERT_TRUE(tracker->track(frame, local, pyramid));
+  ASSERT_TRUE(tracker->track(frame, local).tracked);
   EXPECT_LT(test::centre_error(frame.cam_from_world, jerked), 0.01);
   EXPECT_EQ(count_wrong(frame, view), 0);
 }
@@ -104,7 +104,7 @@ TEST_F(TrackerTest, ALeapIsFoundByTheReferenceKeyframe) {
   remember_true(0);  // no velocity yet, hence no prior that would hold it back
   const Pose leapt = test::camera_at(0.15, 0.05, 0.1, 0.05, -0.25, 0.1);
   TrackedFrame frame = new_frame(look(leapt, 1), 1);
-  ASSERT_TRUE(tracker->track(frame, local, pyramid));
+  ASSERT_TRUE(tracker->track(frame, local).tracked);
   EXPECT_LT(test::centre_error(frame.cam_from_world, leapt), 0.01);
 }
 
@@ -112,11 +112,11 @@ TEST_F(TrackerTest, IsLostWhereNothingMatches) {
   begin();
   const test::Scene foreign(400, false, 99);
   TrackedFrame frame = new_frame(foreign.look(truth(2)), 2);
-  EXPECT_FALSE(tracker->track(frame, local, pyramid));
+  EXPECT_FALSE(tracker->track(frame, local).tracked);
   TrackedFrame empty(
       mapped.scene.camera, 3, 0.1,
       std::make_shared<FrameFeatures>(mapped.scene.camera, Features(), cv::Mat(), 1.2, 6, nullptr));
-  EXPECT_FALSE(tracker->track(empty, local, pyramid));
+  EXPECT_FALSE(tracker->track(empty, local).tracked);
   EXPECT_TRUE(tracker->has_last()) << "it is for the caller to forget";
   tracker->clear_last();
   EXPECT_FALSE(tracker->has_last());
@@ -128,7 +128,7 @@ TEST_F(TrackerTest, ThePriorDecidesWhereAFrameShowsLittle) {
     settings.acceleration_sigma = acceleration_sigma;
     settings.angular_acceleration_sigma = angular_sigma;
     settings.min_inliers = 12;
-    tracker.emplace(mapped.scene.camera, settings, NoiseSettings(), PoseOptimisationSettings());
+    tracker.emplace(PoseEstimator{{mapped.scene.camera, {}}, {}}, settings);
     begin();
     double sum = 0;
     for (int trial = 0; trial < 6; ++trial) {
@@ -141,7 +141,7 @@ TEST_F(TrackerTest, ThePriorDecidesWhereAFrameShowsLittle) {
       options.depth = false;
       options.seed = 50 + trial;
       TrackedFrame frame = new_frame(poor.look(truth(2), options), 2);
-      EXPECT_TRUE(tracker->track(frame, local, pyramid));
+      EXPECT_TRUE(tracker->track(frame, local).tracked);
       sum += test::centre_error(frame.cam_from_world, truth(2));
     }
     return sum / 6;
@@ -154,7 +154,7 @@ TEST_F(TrackerTest, ThePriorDecidesWhereAFrameShowsLittle) {
 TEST_F(TrackerTest, LandmarksDisplaceTemporaryPoints) {
   // The last frame saw every second point, few of them as landmarks; the local map has all.
   settings.initial_landmarks = 30;
-  tracker.emplace(mapped.scene.camera, settings, NoiseSettings(), PoseOptimisationSettings());
+  tracker.emplace(PoseEstimator{{mapped.scene.camera, {}}, {}}, settings);
   begin();
   test::Scene sparse = mapped.scene;
   for (std::size_t p = 1; p < sparse.points.size(); p += 2) sparse.points[p].position.z() = -5;
@@ -162,7 +162,7 @@ TEST_F(TrackerTest, LandmarksDisplaceTemporaryPoints) {
   for (std::size_t i = 10; i < last.landmarks.size(); ++i) last.landmarks[i] = {};
   tracker->remember(last, local.reference, local.reference_from_world);
   TrackedFrame frame = new_frame(look(truth(2), 2), 2);
-  ASSERT_TRUE(tracker->track(frame, local, pyramid));
+  ASSERT_TRUE(tracker->track(frame, local).tracked);
   const auto seen =
       std::count_if(frame.landmarks.begin(), frame.landmarks.end(), [](auto id) { return id.valid(); });
   EXPECT_EQ(seen, frame.inliers) << "no temporary point is left";
@@ -174,7 +174,7 @@ TEST_F(TrackerTest, OutliersAreNotedAndNotObserved) {
   for (std::size_t p = 0; p < moved.points.size(); p += 8) moved.points[p].position.x() += 0.03;
   const test::View view = moved.look(truth(2));
   TrackedFrame frame = new_frame(view, 2);
-  ASSERT_TRUE(tracker->track(frame, local, pyramid));
+  ASSERT_TRUE(tracker->track(frame, local).tracked);
   EXPECT_LT(test::centre_error(frame.cam_from_world, truth(2)), 0.005);
   int refused = 0;
   for (int i = 0; i < view.features->size(); ++i) {
@@ -187,7 +187,7 @@ TEST_F(TrackerTest, OutliersAreNotedAndNotObserved) {
 TEST_F(TrackerTest, CountsAreGivenToTheMapOnce) {
   begin();
   TrackedFrame frame = new_frame(look(truth(2), 2), 2);
-  ASSERT_TRUE(tracker->track(frame, local, pyramid));
+  ASSERT_TRUE(tracker->track(frame, local).tracked);
   LandmarkId found, gone;
   for (const LandmarkId id : frame.landmarks) {
     if (id.valid()) (found.valid() ? gone : found) = id;

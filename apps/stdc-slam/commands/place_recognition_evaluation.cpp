@@ -35,7 +35,7 @@ PlaceRecognitionTest::View PlaceRecognitionTest::make_view(int frame, const Rgbd
                                                               extractor_.settings().scale_factor,
                                                               extractor_.levels(grey.colour.size()), nullptr);
   View view{frame, grey.timestamp, {}, {}, coarse_depth(camera_, grey.depth)};
-  view.keyframe = map_.add_keyframe({frame, grey.timestamp, cam_from_world, CameraMotion(), features,
+  view.keyframe = atlas_.add_keyframe({frame, grey.timestamp, cam_from_world, CameraMotion(), features,
                                      measure_keypoints(camera_, CameraMotion(), *features)});
   const Pose world_from_cam = cam_from_world.inverse();
   for (int i = 0; i < features->size(); ++i) {
@@ -43,16 +43,16 @@ PlaceRecognitionTest::View PlaceRecognitionTest::make_view(int frame, const Rgbd
     const Eigen::Vector3d point =
         world_from_cam * camera_.unproject(features->pixel(i).cast<double>(), features->depth(i));
     view.points.push_back(point);
-    const LandmarkId landmark = map_.add_landmark(point, view.keyframe);
-    map_.observe(view.keyframe, i, landmark);
-    map_.refresh(landmark);
+    const LandmarkId landmark = atlas_.add_landmark(point, view.keyframe);
+    atlas_.observe(view.keyframe, i, landmark);
+    atlas_.refresh(landmark);
   }
   return view;
 }
 
 double PlaceRecognitionTest::overlap(const View& of, const View& with) const {
   if (of.points.empty()) return 0;
-  const Pose& cam_from_world = map_.keyframe(with.keyframe).cam_from_world;
+  const Pose& cam_from_world = atlas_.keyframe(with.keyframe).cam_from_world;
   int shared = 0;
   for (const Eigen::Vector3d& point : of.points) {
     const Eigen::Vector3d p = cam_from_world * point;
@@ -78,7 +78,7 @@ const PlaceAnswer& PlaceRecognitionTest::add(int frame, const RgbdImage& grey, c
       answer.best_overlap = std::max(answer.best_overlap, overlap(view, other));
     }
   }
-  const FrameFeatures& features = *map_.keyframe(view.keyframe).features;
+  const FrameFeatures& features = *atlas_.keyframe(view.keyframe).features;
   const double start = thread_cpu_ms();
   const std::vector<PlaceMatch> places = index_.query(features.descriptors(), recent, 5);
   query_ms_.push_back(thread_cpu_ms() - start);
@@ -103,10 +103,10 @@ void PlaceRecognitionTest::verify(const View& view, const std::vector<PlaceMatch
   constexpr std::size_t kTried = 3;
   for (std::size_t rank = 0; rank < std::min(kTried, places.size()) && !answer.verified; ++rank) {
     const double start = thread_cpu_ms();
-    const auto loop = verify_loop(camera_, map_, view.keyframe, places[rank].keyframe, {}, {}, {});
+    const auto loop = verify_loop({{camera_, {}}, {}}, atlas_, view.keyframe, places[rank].keyframe, {});
     verify_ms_.push_back(thread_cpu_ms() - start);
     if (!loop) continue;
-    const Pose& truth = map_.keyframe(view.keyframe).cam_from_world;
+    const Pose& truth = atlas_.keyframe(view.keyframe).cam_from_world;
     answer.verified = true;
     answer.error_m = (loop->cam_from_world.centre() - truth.centre()).norm();
     answer.error_rad = loop->cam_from_world.rotation.angularDistance(truth.rotation);

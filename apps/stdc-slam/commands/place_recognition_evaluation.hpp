@@ -12,7 +12,6 @@
 #include "core/rgbd_image.hpp"
 #include "evaluation/precision_recall.hpp"
 #include "features/extractor.hpp"
-#include "loop_closing/loop_settings.hpp"
 #include "place_recognition/place_index.hpp"
 
 namespace stdc::app {
@@ -68,7 +67,7 @@ class PlaceRecognitionTest {
   Camera camera_;
   PlaceRecognitionTestSettings settings_;
   FeatureExtractor extractor_{FeatureSettings{}};
-  Atlas map_;  ///< with true poses; each keyframe has landmarks of its own
+  Atlas atlas_;  ///< with true poses; each keyframe has landmarks of its own
   PlaceIndex index_;
   std::vector<View> views_;  ///< by keyframe id
   std::vector<PlaceAnswer> answers_;

@@ -10,7 +10,7 @@
 namespace stdc::app {
 
 void LoopRecord::add(const TrackingResult& result) {
-  if (result.mapping) recognition_.push_back(result.mapping->place_recognition_ms);
+  if (result.place_recognition_ms) recognition_.push_back(*result.place_recognition_ms);
   if (result.loop) add(*result.loop);
 }
 
