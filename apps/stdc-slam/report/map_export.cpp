@@ -41,7 +41,7 @@ std::string point_cloud_ply(const Atlas& atlas) {
     const std::uint8_t grey = grey_of(atlas, landmark);
     for (int channel = 0; channel < 3; ++channel) put(bytes, grey);
     put(bytes, static_cast<std::int32_t>(landmark.observations.size()));
-    put(bytes, static_cast<std::int32_t>(atlas.keyframe(landmark.observations.front().keyframe).map));
+    put(bytes, static_cast<std::int32_t>(atlas.keyframe(landmark.observations.front().keyframe).map.value));
   }
   return bytes;
 }

@@ -58,14 +58,14 @@ TEST(PointCloud, HoldsEveryLandmark) {
     EXPECT_EQ(take<std::uint8_t>(ply, at), red);
     const Observation& first = landmark.observations.front();
     const Keyframe& keyframe = mapped.atlas.keyframe(first.keyframe);
-    if (keyframe.map == 0) {
+    if (keyframe.map == MapId{0}) {
       EXPECT_EQ(red, 128) << "there are no patches";
     } else {
       EXPECT_EQ(red, keyframe.features->patch(first.keypoint)->view().row(Patch::kCentre)[Patch::kCentre]);
       greys += red != 128 ? 1 : 0;
     }
     EXPECT_EQ(take<std::int32_t>(ply, at), static_cast<std::int32_t>(landmark.observations.size()));
-    EXPECT_EQ(take<std::int32_t>(ply, at), keyframe.map);
+    EXPECT_EQ(take<std::int32_t>(ply, at), static_cast<std::int32_t>(keyframe.map.value));
   }
   EXPECT_GT(greys, 30);
 }

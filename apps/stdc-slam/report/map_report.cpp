@@ -48,7 +48,7 @@ MapReport describe_map(const std::string& file, std::uintmax_t bytes, const Stor
   report.maps.resize(atlas.map_count());
   for (const KeyframeId id : atlas.keyframe_ids()) {
     const Keyframe& keyframe = atlas.keyframe(id);
-    MapContent& content = report.maps[keyframe.map];
+    MapContent& content = report.maps[keyframe.map.value];
     const bool first = content.keyframes++ == 0;
     content.first_timestamp =
         first ? keyframe.timestamp : std::min(content.first_timestamp, keyframe.timestamp);
@@ -57,7 +57,7 @@ MapReport describe_map(const std::string& file, std::uintmax_t bytes, const Stor
   }
   for (const LandmarkId id : atlas.landmark_ids()) {
     const Landmark& landmark = atlas.landmark(id);
-    MapContent& content = report.maps[atlas.keyframe(landmark.observations.front().keyframe).map];
+    MapContent& content = report.maps[atlas.keyframe(landmark.observations.front().keyframe).map.value];
     ++content.landmarks;
     content.observations += static_cast<int>(landmark.observations.size());
     content.box.extend(landmark.position);

@@ -21,6 +21,7 @@ constexpr std::array kStages{
     Stage{"rejection", &StageTimes::rejection},
     Stage{"prediction", &StageTimes::prediction},
     Stage{"local_map", &StageTimes::local_map},
+    Stage{"relocalisation", &StageTimes::relocalisation},
     Stage{"keyframe", &StageTimes::keyframe},
     Stage{"wait", &StageTimes::wait},
     Stage{"total", &StageTimes::total},
@@ -44,9 +45,12 @@ std::string loop_columns(const std::optional<LoopReport>& loop) {
                      loop->detection_ms + loop->correction_ms);
 }
 
+/// Those held fixed included.
+int keyframes_of(const LocalBundleReport& bundle) { return bundle.keyframes + bundle.fixed_keyframes; }
+
 std::string csv_row(const TrackingResult& r) {
   std::string row = fmt::format("{},{:.6f},{},{},{},{},{},{},{}", r.frame, r.timestamp, status_name(r.status),
-                                r.map >= 0 ? std::to_string(r.map) : "", r.keypoints_high, r.keypoints_low,
+                                r.map.valid() ? std::to_string(r.map.value) : "", r.keypoints_high, r.keypoints_low,
                                 r.matches, r.inliers, r.is_keyframe ? 1 : 0);
   for (const Stage& stage : kStages) {
     fmt::format_to(std::back_inserter(row), ",{:.3f}", r.milliseconds.*stage.time);
@@ -54,8 +58,8 @@ std::string csv_row(const TrackingResult& r) {
   row += segmentation_columns(r.segmentation);
   if (r.mapping) {
     fmt::format_to(std::back_inserter(row), ",{:.3f},{:.3f},{},{},{},{:.3f}", r.mapping->total_ms,
-                   r.mapping->bundle_adjustment_ms, r.mapping->bundle_keyframes, r.mapping->bundle_landmarks,
-                   r.mapping->bundle_observations, r.mapping->place_recognition_ms);
+                   r.mapping->bundle_ms, keyframes_of(r.mapping->bundle), r.mapping->bundle.landmarks,
+                   r.mapping->bundle.observations, r.place_recognition_ms.value_or(0));
   } else {
     row += ",,,,,,";
   }
@@ -122,10 +126,10 @@ nlohmann::ordered_json RunRecord::mapping() const {
   for (const TrackingResult& result : results_) {
     if (!result.mapping) continue;
     totals.push_back(result.mapping->total_ms);
-    bundles.push_back(result.mapping->bundle_adjustment_ms);
-    keyframes.push_back(result.mapping->bundle_keyframes);
-    landmarks.push_back(result.mapping->bundle_landmarks);
-    observations.push_back(result.mapping->bundle_observations);
+    bundles.push_back(result.mapping->bundle_ms);
+    keyframes.push_back(keyframes_of(result.mapping->bundle));
+    landmarks.push_back(result.mapping->bundle.landmarks);
+    observations.push_back(result.mapping->bundle.observations);
   }
   return {{"keyframes_mapped", totals.size()},
           {"total_ms", to_json(quantiles(totals))},

@@ -37,7 +37,8 @@ TEST(RunRecord, WritesARowForEveryFrame) {
   record.add(result(1, TrackingStatus::ok, 3));
   record.add(result(2, TrackingStatus::skipped, 0));
   TrackingResult mapped = result(3, TrackingStatus::lost, 2);
-  mapped.mapping = MappingReport{40, 30, 5, 600, 2000, 1.5};
+  mapped.mapping = MappingReport{40, 30, {3, 2, 600, 2000, 0}};
+  mapped.place_recognition_ms = 1.5;
   record.add(mapped);
 
   const std::string csv = record.frames_csv();
@@ -62,7 +63,7 @@ TEST(RunRecord, CountsLoopsAndMerges) {
   EXPECT_EQ(record.loops().text(), "");
   for (int frame = 0; frame < 6; ++frame) {
     TrackingResult one = result(frame, TrackingStatus::ok, 1);
-    one.map = frame < 3 ? 0 : 2;
+    one.map = {frame < 3 ? 0U : 2U};
     if (frame % 2 == 1) {
       one.loop = LoopReport{};
       one.loop->merged = frame == 3;
@@ -88,14 +89,14 @@ TEST(RunRecord, KeepsThePosesThatWereTracked) {
   RunRecord record;
   TrackingResult tracked = result(4, TrackingStatus::ok, 1);
   tracked.cam_from_world = Pose(Eigen::Quaterniond::Identity(), {1, 2, 3});
-  tracked.map = 1;
+  tracked.map = {1};
   record.add(result(3, TrackingStatus::lost, 1));
   record.add(tracked);
   const std::vector<FramePose> poses = record.tracked_poses();
   ASSERT_EQ(poses.size(), 1U);
   EXPECT_EQ(poses[0].frame, 4);
   EXPECT_EQ(poses[0].timestamp, 1.4);
-  EXPECT_EQ(poses[0].map, 1);
+  EXPECT_EQ(poses[0].map, MapId{1});
   EXPECT_EQ(poses[0].world_from_cam.translation, Eigen::Vector3d(-1, -2, -3));
 }
 

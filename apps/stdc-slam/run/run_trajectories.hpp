@@ -10,9 +10,9 @@ namespace stdc::app {
 
 /// The poses of a run by maps: those of different maps are in different coordinates.
 struct RunTrajectories {
-  int map = 0;                       ///< the one that holds most frames; of equals the older
-  Trajectory frames, keyframes;      ///< of that one
-  std::map<int, Trajectory> others;  ///< frames of the others that have any, by number of the map
+  MapId map{0};                        ///< the one that holds most frames; of equals the older
+  Trajectory frames, keyframes;        ///< of that one
+  std::map<MapId, Trajectory> others;  ///< frames of the others that have any
 };
 
 RunTrajectories by_map(const std::vector<FramePose>& frames, const std::vector<FramePose>& keyframes);
