@@ -44,7 +44,7 @@ TEST_P(BodyMeshTest, AtRestItIsWhereItWasMade) {
   Eigen::AlignedBox3f bounds;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const BodyMesh::Vertex& vertex = mesh_.vertices()[i];
-    EXPECT_LT((mesh.positions[i] - vertex.position).norm(), 1e-4);
+    EXPECT_LT((mesh.positions[i] - vertex.position).norm(), 2e-3);  // small weights are left out
     EXPECT_NEAR(vertex.weights[0] + vertex.weights[1] + vertex.weights[2], 1, 1e-5);
     EXPECT_GE(vertex.sky_visibility, 0);
     EXPECT_LE(vertex.sky_visibility, 1 + 1e-5F);
@@ -55,7 +55,7 @@ TEST_P(BodyMeshTest, AtRestItIsWhereItWasMade) {
 }
 
 INSTANTIATE_TEST_SUITE_P(People, BodyMeshTest, testing::Values(0, 1),
-                         [](const auto& info) { return "Person" + std::to_string(info.param); });
+                         [](const auto& person) { return "Person" + std::to_string(person.param); });
 
 }  // namespace
 }  // namespace stdc::simulation

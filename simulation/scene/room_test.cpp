@@ -29,7 +29,7 @@ TEST_F(RoomTest, EveryQuadFacesAsItsNormalsDo) {
 
 TEST_F(RoomTest, NormalsAreUnitVectorsAndPositionsLieInTheRoom) {
   const Mesh& mesh = world().mesh;
-  const Eigen::Vector3f margin = Eigen::Vector3f::Constant(0.05F);
+  const Eigen::Vector3f margin = Eigen::Vector3f::Constant(0.1F);  // of what leans against a wall
   const Eigen::AlignedBox3f room(Eigen::Vector3f(world().low - margin),
                                  Eigen::Vector3f(world().high + margin));
   std::size_t outside = 0;
