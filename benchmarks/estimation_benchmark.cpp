@@ -75,7 +75,7 @@ void bundle_once(benchmark::State& state) {
   BundleSettings settings;
   settings.robust_iterations = 100;
   settings.final_iterations = 0;
-  settings.relative_decrease_to_stop = kStopAt;
+  settings.min_relative_decrease = kStopAt;
   run_bundle(state, settings);
 }
 

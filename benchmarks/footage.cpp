@@ -25,7 +25,7 @@ Footage read(const char* folder) {
 }
 
 Footage render() {
-  const RenderedSequence sequence(Preset::static_desk, {});
+  const simulation::RenderedSequence sequence(simulation::Preset::static_desk, {});
   Footage footage{sequence.camera(), std::vector<RgbdImage>(kRendered)};
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::vector<std::jthread> workers;

@@ -19,10 +19,10 @@ cv::Mat grey_of(const cv::Mat& colour) {
 
 std::vector<MaskedFrame> rendered() {
   constexpr int kFirst = 120, kCount = 40;
-  const RenderedSequence sequence(Preset::walking_static, {});
+  const simulation::RenderedSequence sequence(simulation::Preset::walking_static, {});
   std::vector<MaskedFrame> frames;
   for (int i = 0; i < kCount; ++i) {
-    const RenderedFrame frame = sequence.render(kFirst + i);
+    const simulation::RenderedFrame frame = sequence.render(kFirst + i);
     frames.push_back({grey_of(frame.image.colour), frame.image.depth, frame.mask});
   }
   return frames;

@@ -89,7 +89,7 @@ BENCHMARK(settle)->Unit(benchmark::kMillisecond);
 /// What every frame costs when a mask comes `delay` frames late for each `delay`-th frame.
 void propagate(benchmark::State& state) {
   const int delay = static_cast<int>(state.range(0));
-  MaskPropagator propagator(default_render_camera());
+  MaskPropagator propagator(simulation::default_render_camera());
   int number = 0;
   const auto at = [&](int frame) -> const MaskedFrame& {
     return frames()[static_cast<std::size_t>(frame) % frames().size()];

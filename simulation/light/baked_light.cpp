@@ -8,38 +8,38 @@
 #include "core/random.hpp"
 #include "simulation/light/float4.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kOffset = 1e-3F;       // start of a ray above its surface [m]
-constexpr float kFinestNode = 0.014F;  // [m]
+constexpr float kOffset = 1e-3F;           // start of a ray above its surface [m]
+constexpr float kMinNodeSpacing = 0.014F;  // [m]
 constexpr float kCoarsestNode = 0.055F;
 constexpr int kCellsAcross = 32;  // a patch gets about so many nodes along a side between those limits
 
 // A node is four 16-bit numbers: square roots of red, green, blue, and a mark that it is known.
-constexpr float kBrightest = 16.0F;
+constexpr float kMaxLight = 16.0F;
 constexpr float kCodeScale = 65535.0F;
 constexpr std::uint64_t kKnown = 1ULL << 63U;
 
 std::uint64_t encode(const Rgb& colour) {
   std::uint64_t code = kKnown;
   for (int i = 0; i < 3; ++i) {
-    const float root = std::sqrt(std::clamp(colour[i] / kBrightest, 0.0F, 1.0F));
+    const float root = std::sqrt(std::clamp(colour[i] / kMaxLight, 0.0F, 1.0F));
     code |= static_cast<std::uint64_t>(root * kCodeScale + 0.5F) << static_cast<unsigned>(16 * i);
   }
   return code;
 }
 
-/// Light in units of kBrightest / kCodeScale^2.
+/// Light in units of kMaxLight / kCodeScale^2.
 Float4 decode(std::uint64_t code) {
   const Float4 root = floats_of_shorts(code);
   return root * root;
 }
 
 int cell_count(float length) {
-  const float node = std::clamp(length / kCellsAcross, kFinestNode, kCoarsestNode);
+  const float node = std::clamp(length / kCellsAcross, kMinNodeSpacing, kCoarsestNode);
   return std::clamp(static_cast<int>(std::ceil(length / node)), 1, 400);
 }
 
@@ -79,17 +79,17 @@ Rgb BakedLight::at(std::uint32_t patch, float s, float t) const {
   const Float4 top = value(column, row) * (1 - fx) + value(column + 1, row) * fx;
   const Float4 bottom = value(column, row + 1) * (1 - fx) + value(column + 1, row + 1) * fx;
   const Float4 light = top * (1 - fy) + bottom * fy;
-  return Rgb(light[0], light[1], light[2]) * (kBrightest / (kCodeScale * kCodeScale));
+  return Rgb(light[0], light[1], light[2]) * (kMaxLight / (kCodeScale * kCodeScale));
 }
 
 std::uint64_t BakedLight::node(const Grid& grid, std::uint32_t patch, int column, int row) const {
   const std::uint32_t index = grid.first + row * (grid.columns + 1U) + column;
   const std::uint64_t known = nodes_[index].load(std::memory_order_relaxed);
-  return known != 0 ? known : work_out(grid, patch, column, row, index);
+  return known != 0 ? known : compute(grid, patch, column, row, index);
 }
 
-std::uint64_t BakedLight::work_out(const Grid& grid, std::uint32_t patch_index, int column, int row,
-                                   std::uint32_t index) const {
+std::uint64_t BakedLight::compute(const Grid& grid, std::uint32_t patch_index, int column, int row,
+                                  std::uint32_t index) const {
   const Patch& patch = world_.mesh.patches[patch_index];
   // Nodes on the border look from just inside, not from within the neighbour they touch.
   const auto place = [](int i, int cells, int quads) {
@@ -127,11 +127,12 @@ Rgb BakedLight::direct(const Vector3f& position, const Vector3f& normal, std::ui
     for (int i = 0; i < kAcross * kDown; ++i) {
       const auto s = static_cast<float>((i % kAcross + 0.5 + kJitter * (random.uniform() - 0.5)) / kAcross);
       const auto t = static_cast<float>((i / kAcross + 0.5 + kJitter * (random.uniform() - 0.5)) / kDown);
-      const Vector3f way = light.corner + s * light.s_edge + t * light.t_edge - position;
-      const float cosine = way.dot(normal), emitted = -way.dot(facing);  // times distance (and area)
+      const Vector3f direction = light.corner + s * light.s_edge + t * light.t_edge - position;
+      const float cosine = direction.dot(normal),
+                  emitted = -direction.dot(facing);  // times distance (and area)
       if (cosine <= 0 || emitted <= 0) continue;
-      if (scene_.occluded(position, way, 0.995F)) continue;
-      const float square = way.squaredNorm();
+      if (scene_.occluded(position, direction, 0.995F)) continue;
+      const float square = direction.squaredNorm();
       const float weight = cosine * emitted / (std::numbers::pi_v<float> * square * square);
       sum += light.radiance * (weight / static_cast<float>(kAcross * kDown));
     }
@@ -156,4 +157,4 @@ Rgb BakedLight::indirect(const Vector3f& position, const Vector3f& normal) const
   return sum / static_cast<float>(hemisphere_.size());
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

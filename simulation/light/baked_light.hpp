@@ -8,20 +8,20 @@
 #include "simulation/light/ray_scene.hpp"
 #include "simulation/scene/world.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// The light that falls on the things that stand still: soft shadows of the area lights, and light from the
-/// walls with ambient occlusion. Kept on a grid of nodes on every patch; a node is worked out when it is
-/// first asked for, always to the same value, so threads may ask together and in any order.
+/// Irradiance of the static scene: soft shadows of the area lights, and ambient light from the walls with
+/// ambient occlusion. Stored on a grid of nodes per patch; a node is computed when it is first needed, always
+/// to the same value, so any number of threads may ask in any order.
 class BakedLight {
  public:
-  /// Both must outlive this.
+  /// Keeps references to both.
   BakedLight(const World& world, const RayScene& scene);
 
   /// Light at (s, t) of a patch of the world's mesh; times the surface's colour it is what the camera sees.
   Rgb at(std::uint32_t patch, float s, float t) const;
 
-  /// Light that falls on a small surface anywhere in free space; `seed` chooses the sampling pattern.
+  /// Irradiance of a small surface anywhere in free space; `seed` selects the sampling pattern.
   Rgb gather(const Eigen::Vector3f& position, const Eigen::Vector3f& normal, std::uint64_t seed) const;
 
  private:
@@ -30,8 +30,8 @@ class BakedLight {
     std::uint16_t columns = 1, rows = 1;  ///< cells; nodes are one more
   };
   std::uint64_t node(const Grid& grid, std::uint32_t patch, int column, int row) const;
-  std::uint64_t work_out(const Grid& grid, std::uint32_t patch, int column, int row,
-                         std::uint32_t index) const;
+  std::uint64_t compute(const Grid& grid, std::uint32_t patch, int column, int row,
+                        std::uint32_t index) const;
   Rgb direct(const Eigen::Vector3f& position, const Eigen::Vector3f& normal, std::uint64_t seed) const;
   Rgb indirect(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) const;
 
@@ -40,7 +40,7 @@ class BakedLight {
   std::vector<Grid> grids_;
   std::vector<Rgb> material_means_;
   std::vector<Eigen::Vector3f> hemisphere_;              ///< directions about the z axis
-  std::unique_ptr<std::atomic<std::uint64_t>[]> nodes_;  ///< 0: not worked out yet
+  std::unique_ptr<std::atomic<std::uint64_t>[]> nodes_;  ///< 0: not computed yet
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

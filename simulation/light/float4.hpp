@@ -6,9 +6,9 @@
 #include <emmintrin.h>
 #endif
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Four floats that are reckoned with at once.
+/// Four floats in a SIMD register.
 using Float4 = float __attribute__((vector_size(16)));
 
 /// The four bytes of a word, lowest first.
@@ -34,4 +34,4 @@ inline Float4 floats_of_shorts(std::uint64_t word) {
 #endif
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

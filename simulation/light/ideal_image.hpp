@@ -6,15 +6,15 @@
 
 #include "simulation/light/ray_scene.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// What one exposure of a perfect camera sees, before the sensors add their faults. Images have the camera's
-/// size.
+/// The image of perfect sensors, before noise. Images have the camera's size.
 struct IdealImage {
-  cv::Mat colour;    ///< CV_32FC3, linear red green blue
-  cv::Mat depth;     ///< CV_32FC1, z at the pixel's centre [m]; 0: nothing there
-  cv::Mat infrared;  ///< CV_32FC1, how well the depth sensor's pattern returns: material times angle, 0..1
-  cv::Mat mask;      ///< CV_8UC1, 255: a moving thing at the pixel's centre
+  cv::Mat colour;  ///< CV_32FC3, linear red green blue
+  cv::Mat depth;   ///< CV_32FC1, z at the pixel's centre [m]; 0: no surface
+  cv::Mat
+      infrared;  ///< CV_32FC1, share of the depth sensor's pattern that comes back (material, angle), 0..1
+  cv::Mat mask;  ///< CV_8UC1, 255: a moving person or object at the pixel's centre
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

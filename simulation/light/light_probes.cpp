@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 
 using Eigen::Vector3f;
 using Eigen::Vector3i;
@@ -54,4 +54,4 @@ LightCube LightProbes::at(const Vector3f& position) const {
   return sum;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,10 +5,10 @@
 
 #include "simulation/light/baked_light.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Light from the six directions of the axes at a point: what falls on a small surface that faces +x, -x, +y,
-/// ... (the ambient cube of McTaggart, "Half-Life 2 / Valve Source shading", 2004).
+/// Irradiance at a point from the six directions of the axes: of a small surface that faces +x, -x, +y, ...
+/// (the ambient cube of McTaggart, "Half-Life 2 / Valve Source shading", 2004).
 struct LightCube {
   std::array<Rgb, 6> faces{};
 
@@ -19,12 +19,12 @@ struct LightCube {
   }
 };
 
-/// The light in the free space of a room, on a lattice, for things that move through it.
+/// The light in the free space of a room, on a lattice, for people and moving objects.
 class LightProbes {
  public:
   LightProbes(const World& world, const BakedLight& light);
 
-  /// Blended between the lattice points; outside the room that of the nearest point in it.
+  /// Trilinear between the lattice points; outside the room, the value of the nearest point inside.
   LightCube at(const Eigen::Vector3f& position) const;
 
  private:
@@ -33,4 +33,4 @@ class LightProbes {
   std::vector<LightCube> cubes_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

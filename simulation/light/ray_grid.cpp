@@ -1,6 +1,6 @@
 #include "simulation/light/ray_grid.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 RayGrid::RayGrid(const Camera& camera)
     : width_(camera.width),
@@ -20,4 +20,4 @@ Eigen::Vector2f RayGrid::at(int x, int y, float dx, float dy) const {
   return at(x, y) + dx * (at(x0 + 1, y) - at(x0, y)) + dy * (at(x, y0 + 1) - at(x, y0));
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,7 +5,7 @@
 
 #include "core/camera.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// The viewing rays of a camera's raw pixels, lens distortion included: direction (x, y, 1) in the camera
 /// frame, so that the distance along a ray is the depth z.
@@ -28,4 +28,4 @@ class RayGrid {
   std::vector<Eigen::Vector2f> rays_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

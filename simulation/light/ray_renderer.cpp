@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
@@ -14,17 +14,17 @@ constexpr int kEdgeSamples = 4, kEdgesAtOnce = kPacket / kEdgeSamples;
 constexpr float kClip = 1.2F;
 constexpr int kBlockWidth = 4, kBlockHeight = kPacket / kBlockWidth;
 
-/// The nearest hit of a ray among all there is.
+/// The nearest hit of a ray, in the static scene or on a moving object.
 struct Seen {
   Hit hit;
   bool moving = false;
 };
 
-/// One exposure in the making.
-class Exposure {
+/// One frame being rendered.
+class FrameRender {
  public:
-  Exposure(const RayGrid& rays, const RayScene& scene, const SurfaceShader& shader,
-           const Pose& world_from_cam, const MovingThings* moving)
+  FrameRender(const RayGrid& rays, const RayScene& scene, const SurfaceShader& shader,
+              const Pose& world_from_cam, const MovingObjects* moving)
       : rays_(rays),
         scene_(scene),
         shader_(shader),
@@ -44,7 +44,7 @@ class Exposure {
       for (int x = 0; x < rays_.width(); x += kBlockWidth) cast_block(x, y);
     }
     for (int y = 0; y < rays_.height(); ++y) {
-      for (int x = 0; x < rays_.width(); ++x) develop(x, y);
+      for (int x = 0; x < rays_.width(); ++x) shade_pixel(x, y);
     }
     std::vector<cv::Point> edges;
     for (int y = 0; y < rays_.height(); ++y) {
@@ -101,7 +101,7 @@ class Exposure {
 
   const Seen& at(int x, int y) const { return seen_[static_cast<std::size_t>(y) * rays_.width() + x]; }
 
-  void develop(int x, int y) {
+  void shade_pixel(int x, int y) {
     const Seen& seen = at(x, y);
     const Shade s = shade(seen, direction(rays_.at(x, y)));
     image_.colour.at<cv::Vec3f>(y, x) = {s.colour.x(), s.colour.y(), s.colour.z()};
@@ -125,7 +125,7 @@ class Exposure {
            (y > 0 && differ(here, at(x, y - 1))) || (y + 1 < rays_.height() && differ(here, at(x, y + 1)));
   }
 
-  /// Replaces the colours of up to kEdgesAtOnce pixels by means over their areas.
+  /// Antialiases up to kEdgesAtOnce pixels: their colours become means over their areas.
   void smooth(const cv::Point* pixels, int count) {
     // The rotated grid: no two samples share a row or a column.
     static constexpr std::array<std::array<float, 2>, kEdgeSamples> kOffsets{
@@ -140,12 +140,13 @@ class Exposure {
     trace(directions.data(), count * kEdgeSamples, seen.data());
     for (int k = 0; k < count; ++k) {
       auto& colour = image_.colour.at<cv::Vec3f>(pixels[k]);
-      // What is brighter than white is clipped before the mean: a lamp's rim must not stay jagged.
+      // Clipped before the mean: else the edge of a lamp would stay jagged.
       const Rgb own = Rgb(colour[0], colour[1], colour[2]).cwiseMin(kClip);
       const Seen& centre = at(pixels[k].x, pixels[k].y);
       Rgb sum = own;
       for (int i = k * kEdgeSamples; i < (k + 1) * kEdgeSamples; ++i) {
-        // The filtered texture varies little within a pixel: on the same quad its centre will do.
+        // The filtered texture varies little within a pixel: on the same quad the colour of the centre is
+        // used.
         const bool known = seen[i].hit.quad == centre.hit.quad && seen[i].moving == centre.moving;
         sum += known ? own : Rgb(shade(seen[i], directions[i]).colour.cwiseMin(kClip));
       }
@@ -157,7 +158,7 @@ class Exposure {
   const RayGrid& rays_;
   const RayScene& scene_;
   const SurfaceShader& shader_;
-  const MovingThings* moving_;
+  const MovingObjects* moving_;
   Eigen::Matrix3f rotation_;
   Vector3f origin_;
   std::vector<Seen> seen_;
@@ -166,8 +167,8 @@ class Exposure {
 
 }  // namespace
 
-IdealImage RayRenderer::expose(const Pose& world_from_cam, const MovingThings* moving) const {
-  return Exposure(rays_, scene_, shader_, world_from_cam, moving).run();
+IdealImage RayRenderer::render(const Pose& world_from_cam, const MovingObjects* moving) const {
+  return FrameRender(rays_, scene_, shader_, world_from_cam, moving).run();
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -2,22 +2,22 @@
 
 #include "core/pose.hpp"
 #include "simulation/light/ideal_image.hpp"
+#include "simulation/light/moving_objects.hpp"
 #include "simulation/light/ray_grid.hpp"
 #include "simulation/light/surface_shader.hpp"
-#include "simulation/scene/moving_things.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Exposes film by casting rays: one through every pixel's centre, four more where surfaces meet (textures
-/// are filtered by their mip-maps and need no more).
+/// Renders a frame by casting rays: one through each pixel's centre, four more where surfaces meet (inside a
+/// surface, mip-maps filter the texture).
 class RayRenderer {
  public:
-  /// All must outlive this.
+  /// Keeps references to all.
   RayRenderer(const RayGrid& rays, const RayScene& scene, const SurfaceShader& shader)
       : rays_(rays), scene_(scene), shader_(shader) {}
 
-  /// @param moving  people and things that move, as they stand in this moment; may be null
-  IdealImage expose(const Pose& world_from_cam, const MovingThings* moving) const;
+  /// @param moving  people and moving objects at this moment; may be null
+  IdealImage render(const Pose& world_from_cam, const MovingObjects* moving) const;
 
  private:
   const RayGrid& rays_;
@@ -25,4 +25,4 @@ class RayRenderer {
   const SurfaceShader& shader_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace stdc {
+namespace stdc::simulation {
 
 struct RayScene::Handles {
   RTCDevice device = nullptr;
@@ -145,4 +145,4 @@ bool RayScene::occluded(const Eigen::Vector3f& origin, const Eigen::Vector3f& di
   return ray.tfar < 0;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

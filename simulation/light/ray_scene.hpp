@@ -7,9 +7,9 @@
 
 #include "simulation/scene/mesh.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Where a ray meets a mesh: origin + distance * direction (the direction need not be a unit vector).
+/// Where a ray hits a mesh: origin + distance * direction (the direction need not be a unit vector).
 struct Hit {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   float distance = std::numeric_limits<float>::infinity();
@@ -19,12 +19,12 @@ struct Hit {
   bool valid() const { return quad != kNone; }
 };
 
-/// How much work goes into the search tree: `fast` for meshes that live one frame.
+/// Quality of the bounding volume hierarchy: `fast` for meshes of one frame.
 enum class TreeQuality { fast, good };
 
-/// A mesh to shoot rays at; tracing is thread-safe. Embree (Wald et al. 2014) finds the quad; distance, u and
-/// v are worked out here in double precision, so that they do not depend on the instruction set Embree runs
-/// on.
+/// A mesh to trace rays against; tracing is thread-safe. Embree (Wald et al. 2014) finds the quad; distance,
+/// u and v are computed here in double precision, so that they do not depend on the instruction set that
+/// Embree uses.
 class RayScene {
  public:
   static constexpr int kPacket = 8;
@@ -35,8 +35,8 @@ class RayScene {
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) = delete;
 
-  /// Nearest hits of up to kPacket rays from one point. hits[i] comes in as the nearest hit known so far (its
-  /// distance limits the search) and is changed only by a nearer one.
+  /// Nearest hits of up to kPacket rays from one point. hits[i] holds the nearest hit known so far (its
+  /// distance limits the search) and is replaced only by a nearer one.
   /// @return whether any was changed
   bool trace(const Eigen::Vector3f& origin, const Eigen::Vector3f* directions, int count, Hit* hits) const;
   /// Nearest hit of one ray between `near` and `far` (in multiples of the direction).
@@ -53,4 +53,4 @@ class RayScene {
   std::unique_ptr<Handles> handles_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,7 +4,7 @@
 
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3d;
@@ -100,4 +100,4 @@ TEST_F(RaySceneTest, ShapesFaceOutward) {
 }
 
 }  // namespace
-}  // namespace stdc
+}  // namespace stdc::simulation

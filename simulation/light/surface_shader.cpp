@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2f;
@@ -36,12 +36,12 @@ float infrared_return(const Material& material, float cosine) {
 }
 
 Rgb highlights(const std::vector<AreaLight>& lights, const Material& material, const Vector3f& position,
-               const Vector3f& normal, const Vector3f& way) {
+               const Vector3f& normal, const Vector3f& view) {
   Rgb sum = Rgb::Zero();
   for (const AreaLight& light : lights) {
     const Vector3f centre = light.corner + 0.5F * (light.s_edge + light.t_edge);
     const Vector3f to_light = (centre - position).normalized();
-    const float facing = normal.dot((to_light - way).normalized());
+    const float facing = normal.dot((to_light - view).normalized());
     if ((1 - facing) * material.shininess > 7 || to_light.dot(normal) <= 0) continue;  // less than 1/1000
     sum += light.radiance * std::pow(facing, material.shininess);
   }
@@ -85,8 +85,8 @@ Shade SurfaceShader::shade(const Hit& hit, const Vector3f& origin, const Vector3
   const Patch& patch = mesh.patches[patch_index];
   const Material& material = world_.materials[patch.material];
   const float length = direction.norm();
-  const Vector3f n = normal(hit, direction), way = direction / length;
-  const float cosine = std::max(0.02F, -n.dot(way));
+  const Vector3f n = normal(hit, direction), view = direction / length;
+  const float cosine = std::max(0.02F, -n.dot(view));
 
   const std::uint32_t local = hit.quad - patch.first_quad;
   const float s = (static_cast<float>(local % patch.columns) + hit.u) / static_cast<float>(patch.columns);
@@ -102,10 +102,10 @@ Shade SurfaceShader::shade(const Hit& hit, const Vector3f& origin, const Vector3
   result.colour = surface.cwiseProduct(light) + surface * material.emission;
   if (material.gloss > 0) {
     const float lit = std::min(1.0F, 1.4F * light.y());  // no highlights in the shade
-    result.colour += highlights(world_.lights, material, origin + hit.distance * direction, n, way) * lit;
+    result.colour += highlights(world_.lights, material, origin + hit.distance * direction, n, view) * lit;
   }
   result.infrared = infrared_return(material, cosine);
   return result;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -7,22 +7,24 @@
 #include "simulation/light/ray_scene.hpp"
 #include "simulation/people/surface_nets.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
 
-float distance_to_bone(const BodyPlan& plan, Bone bone, const Vector3f& p) {
-  const Vector3f a = plan.joint(bone).cast<float>(), axis = (plan.end(bone) - plan.joint(bone)).cast<float>();
+float distance_to_bone(const Skeleton& skeleton, Bone bone, const Vector3f& p) {
+  const Vector3f a = skeleton.joint(bone).cast<float>(),
+                 axis = (skeleton.end(bone) - skeleton.joint(bone)).cast<float>();
   const float h = std::clamp((p - a).dot(axis) / axis.squaredNorm(), 0.0F, 1.0F);
-  return (p - a - h * axis).norm() - static_cast<float>(plan.radius(bone));
+  return (p - a - h * axis).norm() - static_cast<float>(skeleton.radius(bone));
 }
 
-/// How strongly each bone pulls a vertex: falls off with how much farther it is than the nearest.
-void bind(const BodyPlan& plan, const std::vector<Bone>& bones, BodyMesh::Vertex* vertex) {
+/// Sets the skinning weights: they fall off with the distance beyond that of the nearest bone.
+void bind(const Skeleton& skeleton, const std::vector<Bone>& bones, BodyMesh::Vertex* vertex) {
   constexpr float kSoftness = 0.016F;  // [m]
   std::vector<std::pair<float, Bone>> candidates;
-  for (const Bone bone : bones) candidates.emplace_back(distance_to_bone(plan, bone, vertex->position), bone);
+  for (const Bone bone : bones)
+    candidates.emplace_back(distance_to_bone(skeleton, bone, vertex->position), bone);
   std::sort(candidates.begin(), candidates.end());
   float sum = 0;
   for (std::size_t i = 0; i < vertex->bones.size(); ++i) {
@@ -38,30 +40,30 @@ void bind(const BodyPlan& plan, const std::vector<Bone>& bones, BodyMesh::Vertex
 
 }  // namespace
 
-BodyMesh::BodyMesh(const BodyPlan& plan, const PersonLook& look) {
-  for (int i = 0; i < kBones; ++i) joints_[i] = plan.joint(static_cast<Bone>(i)).cast<float>();
-  for (const BodyPart& part : body_parts(plan, look)) add_part(plan, part);
-  find_openness();
+BodyMesh::BodyMesh(const Skeleton& skeleton, const PersonAppearance& appearance) {
+  for (int i = 0; i < kBones; ++i) joints_[i] = skeleton.joint(static_cast<Bone>(i)).cast<float>();
+  for (const BodyPart& part : body_parts(skeleton, appearance)) add_part(skeleton, part);
+  find_sky_visibility();
 }
 
-void BodyMesh::add_part(const BodyPlan& plan, const BodyPart& part) {
-  const Skin skin = surface_of(part.solid, part.cell);
+void BodyMesh::add_part(const Skeleton& skeleton, const BodyPart& part) {
+  const QuadSurface surface = surface_of(part.solid, part.cell);
   const auto first = static_cast<std::uint32_t>(vertices_.size());
-  for (std::size_t i = 0; i < skin.positions.size(); ++i) {
+  for (std::size_t i = 0; i < surface.positions.size(); ++i) {
     Vertex vertex;
-    vertex.position = skin.positions[i];
-    vertex.normal = skin.normals[i];
-    bind(plan, part.bones, &vertex);
+    vertex.position = surface.positions[i];
+    vertex.normal = surface.normals[i];
+    bind(skeleton, part.bones, &vertex);
     vertices_.push_back(vertex);
   }
-  for (auto quad : skin.quads) {
+  for (auto quad : surface.quads) {
     for (std::uint32_t& corner : quad) corner += first;
     quads_.push_back(quad);
-    covers_.push_back(part.cover);
+    regions_.push_back(part.region);
   }
 }
 
-void BodyMesh::find_openness() {
+void BodyMesh::find_sky_visibility() {
   constexpr int kDirections = 12;
   constexpr float kReach = 0.3F, kOffset = 0.004F;  // [m]
   Mesh mesh;
@@ -74,11 +76,11 @@ void BodyMesh::find_openness() {
     for (int i = 0; i < kDirections; ++i) {  // cosine-weighted, on Vogel's spiral
       const float square = (static_cast<float>(i) + 0.5F) / kDirections, radius = std::sqrt(square);
       const float angle = static_cast<float>(i) * std::numbers::pi_v<float> * 0.763932F;
-      const Vector3f way =
+      const Vector3f direction =
           radius * (std::cos(angle) * side + std::sin(angle) * other) + std::sqrt(1 - square) * v.normal;
-      if (!scene.occluded(v.position + kOffset * v.normal, way, kReach)) open += 1.0F / kDirections;
+      if (!scene.occluded(v.position + kOffset * v.normal, direction, kReach)) open += 1.0F / kDirections;
     }
-    v.openness = 0.25F + 0.75F * open;
+    v.sky_visibility = 0.25F + 0.75F * open;
   }
 }
 
@@ -113,4 +115,4 @@ void BodyMesh::append(const BodyPose& pose, Mesh& mesh) const {
   }
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

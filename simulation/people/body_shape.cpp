@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
@@ -10,17 +10,17 @@ using Eigen::Vector3f;
 /// Puts shapes given for a person of 1.75 m and average girth onto this one.
 class Sculptor {
  public:
-  Sculptor(const BodyPlan& plan, float inflate, Solid& solid)
-      : plan_(plan),
-        scale_(static_cast<float>(plan.scale())),
-        girth_(static_cast<float>(plan.measures().girth)),
+  Sculptor(const Skeleton& skeleton, float inflate, Solid& solid)
+      : skeleton_(skeleton),
+        scale_(static_cast<float>(skeleton.scale())),
+        girth_(static_cast<float>(skeleton.measures().girth)),
         inflate_(inflate),
         solid_(solid) {}
 
   Vector3f at(float x, float y, float z) const { return scale_ * Vector3f(x * girth_, y * girth_, z); }
   float thick(float radius) const { return scale_ * girth_ * radius + inflate_; }
-  Vector3f joint(Bone b) const { return plan_.joint(b).cast<float>(); }
-  Vector3f end(Bone b) const { return plan_.end(b).cast<float>(); }
+  Vector3f joint(Bone b) const { return skeleton_.joint(b).cast<float>(); }
+  Vector3f end(Bone b) const { return skeleton_.end(b).cast<float>(); }
 
   void cone(const Vector3f& a, const Vector3f& b, float ra, float rb, float blend) {
     solid_.cone(a, b, thick(ra), thick(rb), blend);
@@ -35,7 +35,7 @@ class Sculptor {
   }
 
  private:
-  const BodyPlan& plan_;
+  const Skeleton& skeleton_;
   float scale_, girth_, inflate_;
   Solid& solid_;
 };
@@ -75,37 +75,37 @@ void add_forearm(Sculptor& s, const Bone* arm) {
   s.cone(a + 0.3F * along, b, 0.040F, 0.026F, 0.02F);
 }
 
-BodyPart top_part(const BodyPlan& plan, const PersonLook& look) {
+BodyPart top_part(const Skeleton& skeleton, const PersonAppearance& appearance) {
   BodyPart part;
-  part.cover = Cover::top;
+  part.region = BodyRegion::top;
   part.cell = 0.0145F;
-  const auto loose = static_cast<float>(look.looseness), scale = static_cast<float>(plan.scale());
-  Sculptor s(plan, 0.007F + 0.006F * loose, part.solid);
-  add_trunk(s, look.measures);
+  const auto loose = static_cast<float>(appearance.looseness), scale = static_cast<float>(skeleton.scale());
+  Sculptor s(skeleton, 0.007F + 0.006F * loose, part.solid);
+  add_trunk(s, appearance.measures);
   // Cloth hangs from the chest and bridges the waist.
   s.blob(s.at(0, -0.002F, 1.08F), {0.142F + 0.012F * loose, 0.106F + 0.008F * loose, 0.26F}, 0.05F);
   part.bones = {Bone::pelvis, Bone::spine, Bone::chest};
   for (const Bone* arm : {kLeftArm, kRightArm}) {
-    add_upper_arm(s, arm, 0, look.long_sleeves ? 1.0F : 0.55F);
+    add_upper_arm(s, arm, 0, appearance.long_sleeves ? 1.0F : 0.55F);
     part.bones.insert(part.bones.end(), {arm[0], arm[1]});
     const Vector3f elbow = s.joint(arm[1]), wrist = s.end(arm[1]);
-    if (look.long_sleeves) {
+    if (appearance.long_sleeves) {
       add_forearm(s, arm);
-      const Vector3f way = (wrist - elbow).normalized();
-      part.solid.ring(wrist - 0.008F * way, way, s.thick(0.024F), 0.007F, 0.01F);
+      const Vector3f direction = (wrist - elbow).normalized();
+      part.solid.ring(wrist - 0.008F * direction, direction, s.thick(0.024F), 0.007F, 0.01F);
     }
   }
-  if (!look.long_sleeves) {
+  if (!appearance.long_sleeves) {
     for (const Bone* arm : {kLeftArm, kRightArm}) {  // the hem of the sleeve stands off a little
-      const Vector3f a = s.joint(arm[0]), way = (s.end(arm[0]) - a).normalized();
-      const float at = 0.55F * static_cast<float>(plan.length(arm[0])) + 0.02F;
-      part.solid.ring(a + at * way, way, s.thick(0.044F), 0.006F, 0.012F);
+      const Vector3f a = s.joint(arm[0]), direction = (s.end(arm[0]) - a).normalized();
+      const float at = 0.55F * static_cast<float>(skeleton.length(arm[0])) + 0.02F;
+      part.solid.ring(a + at * direction, direction, s.thick(0.044F), 0.006F, 0.012F);
     }
   }
   part.solid.cut(s.at(0, 0, 0.9F), {0, 0, -1}, 0.01F);
   part.solid.cut(s.at(0, 0, 1.502F), {0, -0.35F, 1}, 0.01F);
   part.solid.ring(s.at(0, 0.014F, 1.482F), {0, -0.32F, 1}, s.thick(0.052F), 0.010F, 0.015F);  // collar
-  const auto seed = static_cast<std::uint32_t>(look.seed);
+  const auto seed = static_cast<std::uint32_t>(appearance.seed);
   const float depth = 0.003F + 0.003F * loose;
   part.solid.displace(
       [=](const Vector3f& p) {
@@ -119,13 +119,13 @@ BodyPart top_part(const BodyPlan& plan, const PersonLook& look) {
   return part;
 }
 
-BodyPart trousers_part(const BodyPlan& plan, const PersonLook& look) {
+BodyPart trousers_part(const Skeleton& skeleton, const PersonAppearance& appearance) {
   BodyPart part;
-  part.cover = Cover::trousers;
+  part.region = BodyRegion::trousers;
   part.cell = 0.0145F;
-  const auto loose = static_cast<float>(look.looseness);
-  const auto hips = static_cast<float>(look.measures.hips);
-  Sculptor s(plan, 0.006F + 0.004F * loose, part.solid);
+  const auto loose = static_cast<float>(appearance.looseness);
+  const auto hips = static_cast<float>(appearance.measures.hips);
+  Sculptor s(skeleton, 0.006F + 0.004F * loose, part.solid);
   s.blob(s.at(0, 0.004F, 0.985F), {0.150F * hips, 0.106F, 0.11F}, 0.02F);
   s.blobs(0.075F, 0.06F, 0.915F, {0.080F * hips, 0.074F, 0.085F}, 0.03F);
   for (const Bone thigh : {Bone::left_thigh, Bone::right_thigh}) {
@@ -143,9 +143,9 @@ BodyPart trousers_part(const BodyPlan& plan, const PersonLook& look) {
   part.bones.insert(part.bones.end(), {Bone::pelvis, Bone::spine});
   part.solid.cut(s.at(0, 0, 0.045F), {0, 0, -1}, 0.006F);
   part.solid.cut(s.at(0, 0, 1.06F), {0, 0, 1}, 0.006F);
-  const auto seed = static_cast<std::uint32_t>(look.seed) + 7;
+  const auto seed = static_cast<std::uint32_t>(appearance.seed) + 7;
   const float depth = 0.004F + 0.003F * loose;
-  const auto scale = static_cast<float>(plan.scale());
+  const auto scale = static_cast<float>(skeleton.scale());
   part.solid.displace(
       [=](const Vector3f& p) {
         const float z = p.z() / scale;
@@ -158,10 +158,10 @@ BodyPart trousers_part(const BodyPlan& plan, const PersonLook& look) {
   return part;
 }
 
-BodyPart arm_part(const BodyPlan& plan, const Bone* arm, bool long_sleeves) {
+BodyPart arm_part(const Skeleton& skeleton, const Bone* arm, bool long_sleeves) {
   BodyPart part;
   part.cell = 0.010F;
-  Sculptor s(plan, 0, part.solid);
+  Sculptor s(skeleton, 0, part.solid);
   if (!long_sleeves) {
     add_upper_arm(s, arm, 0.3F, 1);
     add_forearm(s, arm);
@@ -174,14 +174,14 @@ BodyPart arm_part(const BodyPlan& plan, const Bone* arm, bool long_sleeves) {
 }
 
 /// Shoe and sole of one foot.
-void add_shoe(const BodyPlan& plan, Bone foot, std::vector<BodyPart>& parts) {
+void add_shoe(const Skeleton& skeleton, Bone foot, std::vector<BodyPart>& parts) {
   BodyPart upper, sole;
-  upper.cover = Cover::shoes;
-  sole.cover = Cover::soles;
+  upper.region = BodyRegion::shoes;
+  sole.region = BodyRegion::soles;
   upper.cell = sole.cell = 0.009F;
   upper.bones = sole.bones = {foot};
-  const auto scale = static_cast<float>(plan.scale());
-  const Vector3f ankle = plan.joint(foot).cast<float>();
+  const auto scale = static_cast<float>(skeleton.scale());
+  const Vector3f ankle = skeleton.joint(foot).cast<float>();
   const auto at = [&](float x, float y, float z) -> Vector3f {
     return Vector3f(ankle.x(), ankle.y(), 0) + scale * Vector3f(x, y, z);
   };
@@ -226,14 +226,15 @@ float noise3(const Vector3f& p, std::uint32_t seed) {
   return sum;
 }
 
-std::vector<BodyPart> body_parts(const BodyPlan& plan, const PersonLook& look) {
-  std::vector<BodyPart> parts = head_parts(plan, look);
-  parts.push_back(top_part(plan, look));
-  parts.push_back(trousers_part(plan, look));
-  for (const Bone* arm : {kLeftArm, kRightArm}) parts.push_back(arm_part(plan, arm, look.long_sleeves));
-  for (const bool left : {true, false}) parts.push_back(hand_part(plan, left));
-  for (const Bone foot : {Bone::left_foot, Bone::right_foot}) add_shoe(plan, foot, parts);
+std::vector<BodyPart> body_parts(const Skeleton& skeleton, const PersonAppearance& appearance) {
+  std::vector<BodyPart> parts = head_parts(skeleton, appearance);
+  parts.push_back(top_part(skeleton, appearance));
+  parts.push_back(trousers_part(skeleton, appearance));
+  for (const Bone* arm : {kLeftArm, kRightArm})
+    parts.push_back(arm_part(skeleton, arm, appearance.long_sleeves));
+  for (const bool left : {true, false}) parts.push_back(hand_part(skeleton, left));
+  for (const Bone foot : {Bone::left_foot, Bone::right_foot}) add_shoe(skeleton, foot, parts);
   return parts;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

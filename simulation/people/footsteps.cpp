@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/sequence/motion_curves.hpp"
+#include "simulation/scene/motion_curves.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using motion::smooth;
 
 constexpr double kToeOut = 0.11;                       // [rad]
 constexpr double kBall = -0.125, kHeel = 0.055;        // y of where the foot rolls, from the ankle [m]
@@ -28,8 +27,8 @@ double step_time(double speed) {
 
 }  // namespace
 
-Footsteps::Footsteps(const BodyPlan& plan, const Route& route, double end) : scale_(plan.scale()) {
-  const Vector3d ankle = plan.joint(Bone::left_foot);
+Footsteps::Footsteps(const Skeleton& skeleton, const Route& route, double end) : scale_(skeleton.scale()) {
+  const Vector3d ankle = skeleton.joint(Bone::left_foot);
   half_width_ = ankle.x() + 0.008;
   ankle_ = {0, 0, ankle.z()};
   for (const int side : {kLeft, kRight}) start_[side] = planted_for(side, route.at(0));
@@ -48,7 +47,7 @@ void Footsteps::plan_steps(const Route& route, double end) {
   double landed = -10, pause = 0;
   for (double t = 0; t < end; t += Route::kStep) {
     if (t < landed + pause) continue;
-    const double pace = std::max(route.speed(t + 0.3), 0.25 * std::abs(route.turning(t + 0.3)));
+    const double pace = std::max(route.speed(t + 0.3), 0.25 * std::abs(route.yaw_rate(t + 0.3)));
     const double period = step_time(pace), swing = 0.8 * period;
     for (const int side : {next, 1 - next}) {
       // In the middle of the stance that follows, the foot is below the body.
@@ -129,4 +128,4 @@ double Footsteps::balance(double time) const {
   return sum / kSamples;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

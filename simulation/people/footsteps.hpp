@@ -3,29 +3,29 @@
 #include <array>
 #include <vector>
 
-#include "simulation/people/body_plan.hpp"
 #include "simulation/people/route.hpp"
+#include "simulation/people/skeleton.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// One foot in one moment.
+/// One foot at one moment.
 struct FootState {
   Pose world_from_foot;  ///< of the foot bone: origin in the ankle
-  bool planted = true;   ///< it bears weight: sole (or heel or ball) rests on its place on the floor
+  bool planted = true;   ///< it bears weight: sole, heel or ball rests on the floor
 };
 
-/// Where a person who follows a route sets the feet. A planted foot does not move: steps are planned ahead,
-/// each foot goes to where it will be below the hip in the middle of its next stance. The foot rolls from the
-/// heel to the ball.
+/// The footsteps of a person who follows a route. A planted foot does not slide: steps are planned ahead, and
+/// each foot goes to where it will be below the hip in the middle of its next stance. The foot rolls from
+/// heel to ball.
 class Footsteps {
  public:
   static constexpr int kLeft = 0, kRight = 1;
 
   /// Plans until `end` [s].
-  Footsteps(const BodyPlan& plan, const Route& route, double end);
+  Footsteps(const Skeleton& skeleton, const Route& route, double end);
 
   FootState foot(int side, double time) const;
-  /// How far the left foot is ahead of the right, along the way the person faces [m].
+  /// How far the left foot is ahead of the right, in the direction the person faces [m].
   double stride(double time, double yaw) const;
   /// -1: all weight is on the left foot, 1: on the right.
   double balance(double time) const;
@@ -40,9 +40,9 @@ class Footsteps {
   void plan_steps(const Route& route, double end);
 
   double scale_, half_width_;
-  Eigen::Vector3d ankle_;  ///< above the foot's place on the floor
+  Eigen::Vector3d ankle_;  ///< relative to the foot's position on the floor
   std::array<Stance, 2> start_;
   std::array<std::vector<Step>, 2> steps_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -3,7 +3,7 @@
 
 #include "simulation/people/body_shape.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
@@ -11,9 +11,9 @@ using Eigen::Vector3f;
 /// Lengths of the head are those of a person of 1.75 m; heads vary less than bodies.
 class HeadFrame {
  public:
-  explicit HeadFrame(const BodyPlan& plan)
-      : scale_(0.5F * (1 + static_cast<float>(plan.scale()))),
-        shift_(static_cast<float>(plan.measures().height) - 1.75F * scale_) {}
+  explicit HeadFrame(const Skeleton& skeleton)
+      : scale_(0.5F * (1 + static_cast<float>(skeleton.scale()))),
+        shift_(static_cast<float>(skeleton.measures().height) - 1.75F * scale_) {}
   Vector3f at(float x, float y, float z) const { return {scale_ * x, scale_ * y, scale_ * z + shift_}; }
   Vector3f size(float x, float y, float z) const { return scale_ * Vector3f(x, y, z); }
   float size(float length) const { return scale_ * length; }
@@ -50,15 +50,15 @@ void add_face(const HeadFrame& h, Solid& s) {
   s.carve(h.at(0, -0.113F, 1.5735F), h.size(0.02F, 0.02F, 0.0018F), 0.004F);  // between the lips
 }
 
-BodyPart face_part(const BodyPlan& plan) {
+BodyPart face_part(const Skeleton& skeleton) {
   BodyPart part;
-  part.cover = Cover::head;
+  part.region = BodyRegion::head;
   part.cell = 0.006F;
   part.bones = {Bone::neck, Bone::head};
-  const HeadFrame h(plan);
+  const HeadFrame h(skeleton);
   add_skull(h, part.solid, 0);
   add_face(h, part.solid);
-  const auto s = static_cast<float>(plan.scale());
+  const auto s = static_cast<float>(skeleton.scale());
   part.solid.cone(Vector3f(0, 0.03F, 1.44F) * s, h.at(0, 0.018F, 1.6F), 0.060F * s, 0.054F * s, 0.03F);
   part.solid.ball(h.at(0, -0.032F, 1.515F), h.size(0.012F), 0.03F);  // larynx
   return part;
@@ -75,19 +75,19 @@ void comb(const HeadFrame& h, std::uint32_t seed, float depth, Solid& s) {
       2 * depth);
 }
 
-BodyPart hair_part(const BodyPlan& plan, const PersonLook& look) {
+BodyPart hair_part(const Skeleton& skeleton, const PersonAppearance& appearance) {
   BodyPart part;
-  part.cover = Cover::hair;
+  part.region = BodyRegion::hair;
   part.cell = 0.008F;
   part.bones = {Bone::neck, Bone::head};
-  const HeadFrame h(plan);
+  const HeadFrame h(skeleton);
   Solid& s = part.solid;
-  const bool is_long = look.hair == HairStyle::bob || look.hair == HairStyle::ponytail;
-  const float depth = look.hair == HairStyle::cropped ? 0.006F : 0.016F;
+  const bool is_long = appearance.hair == HairStyle::bob || appearance.hair == HairStyle::ponytail;
+  const float depth = appearance.hair == HairStyle::cropped ? 0.006F : 0.016F;
   add_skull(h, s, depth);
-  if (look.hair == HairStyle::parted)
+  if (appearance.hair == HairStyle::parted)
     s.ellipsoid(h.at(0.02F, -0.045F, 1.735F), h.size(0.06F, 0.05F, 0.028F), 0.02F);
-  if (look.hair == HairStyle::bob) {
+  if (appearance.hair == HairStyle::bob) {
     for (const float x : {-1.0F, 1.0F}) {
       s.cone(h.at(x * 0.07F, 0.025F, 1.64F), h.at(x * 0.078F, 0.02F, 1.535F), h.size(0.038F), h.size(0.03F),
              0.04F);
@@ -99,36 +99,38 @@ BodyPart hair_part(const BodyPlan& plan, const PersonLook& look) {
   for (const float x : {-1.0F, 1.0F}) {
     if (!is_long) s.carve(h.at(x * 0.095F, -0.03F, 1.59F), h.size(0.035F, 0.07F, 0.065F), 0.01F);
   }
-  if (look.hair == HairStyle::ponytail) {
+  if (appearance.hair == HairStyle::ponytail) {
     s.ball(h.at(0, 0.125F, 1.685F), h.size(0.026F), 0.02F);
     s.cone(h.at(0, 0.135F, 1.68F), h.at(0, 0.15F, 1.58F), h.size(0.028F), h.size(0.03F), 0.02F);
     s.cone(h.at(0, 0.15F, 1.58F), h.at(0, 0.125F, 1.46F), h.size(0.03F), h.size(0.012F), 0.02F);
   }
-  const float nape = look.hair == HairStyle::bob ? 1.5F : (look.hair == HairStyle::ponytail ? 1.44F : 1.585F);
+  const float nape =
+      appearance.hair == HairStyle::bob ? 1.5F : (appearance.hair == HairStyle::ponytail ? 1.44F : 1.585F);
   s.cut(h.at(0, 0, nape), {0, -0.25F, -1}, 0.008F);
-  comb(h, static_cast<std::uint32_t>(look.seed) + 20, look.hair == HairStyle::cropped ? 0.0015F : 0.004F, s);
+  comb(h, static_cast<std::uint32_t>(appearance.seed) + 20,
+       appearance.hair == HairStyle::cropped ? 0.0015F : 0.004F, s);
   return part;
 }
 
 }  // namespace
 
-std::vector<BodyPart> head_parts(const BodyPlan& plan, const PersonLook& look) {
+std::vector<BodyPart> head_parts(const Skeleton& skeleton, const PersonAppearance& appearance) {
   std::vector<BodyPart> parts;
-  parts.push_back(face_part(plan));
-  parts.push_back(hair_part(plan, look));
+  parts.push_back(face_part(skeleton));
+  parts.push_back(hair_part(skeleton, appearance));
   return parts;
 }
 
-BodyPart hand_part(const BodyPlan& plan, bool left) {
+BodyPart hand_part(const Skeleton& skeleton, bool left) {
   BodyPart part;
   part.cell = 0.006F;
   const Bone hand = left ? Bone::left_hand : Bone::right_hand;
   part.bones = {hand};
-  const auto s = static_cast<float>(plan.scale());
-  const Vector3f wrist = plan.joint(hand).cast<float>();
+  const auto s = static_cast<float>(skeleton.scale());
+  const Vector3f wrist = skeleton.joint(hand).cast<float>();
   // Axes of the hand: along the fingers, forward (where the thumb is), and from the palm to the back of the
   // hand.
-  const Vector3f along = (plan.end(hand) - plan.joint(hand)).normalized().cast<float>();
+  const Vector3f along = (skeleton.end(hand) - skeleton.joint(hand)).normalized().cast<float>();
   const Vector3f forward = (Vector3f(0, -1, 0) - along * along.dot(Vector3f(0, -1, 0))).normalized();
   Vector3f back = along.cross(forward);
   if (back.x() * wrist.x() < 0) back = -back;
@@ -152,4 +154,4 @@ BodyPart hand_part(const BodyPlan& plan, bool left) {
   return part;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

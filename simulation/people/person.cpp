@@ -2,29 +2,29 @@
 
 #include "core/random.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-PersonLook random_look(int number, std::uint64_t seed) {
+PersonAppearance random_appearance(int number, std::uint64_t seed) {
   Random random(seed * 31 + static_cast<std::uint64_t>(number), 61);
-  PersonLook look;
-  look.seed = seed * 977 + static_cast<std::uint64_t>(number) * 7919 + 5;
-  BodyMeasures& m = look.measures;
+  PersonAppearance appearance;
+  appearance.seed = seed * 977 + static_cast<std::uint64_t>(number) * 7919 + 5;
+  BodyMeasures& m = appearance.measures;
   if ((static_cast<std::uint64_t>(number) + seed) % 2 == 0) {
     m.height = random.uniform(1.70, 1.90);
     m.girth = random.uniform(0.93, 1.1);
     m.shoulders = random.uniform(0.97, 1.05);
-    look.hair = random.below(2) == 0 ? HairStyle::parted : HairStyle::cropped;
+    appearance.hair = random.below(2) == 0 ? HairStyle::parted : HairStyle::cropped;
   } else {
     m.height = random.uniform(1.60, 1.76);
     m.girth = random.uniform(0.88, 1.02);
     m.shoulders = random.uniform(0.88, 0.93);
     m.hips = random.uniform(1.02, 1.1);
     m.chest_depth = random.uniform(0.4, 0.8);
-    look.hair = random.below(2) == 0 ? HairStyle::bob : HairStyle::ponytail;
+    appearance.hair = random.below(2) == 0 ? HairStyle::bob : HairStyle::ponytail;
   }
-  look.long_sleeves = random.below(5) < 3;
-  look.looseness = random.uniform(0.4, 1.2);
-  return look;
+  appearance.long_sleeves = random.below(5) < 3;
+  appearance.looseness = random.uniform(0.4, 1.2);
+  return appearance;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

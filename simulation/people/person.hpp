@@ -4,19 +4,21 @@
 #include "simulation/people/person_motion.hpp"
 #include "simulation/people/person_textures.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Somebody in the room: body, clothes and what they do.
+/// A person: body, clothes and motion.
 struct Person {
   BodyMesh mesh;
   PersonTextures textures;
   PersonMotion motion;
 
-  Person(const PersonLook& look, const BodyPlan& plan, Route route)
-      : mesh(plan, look), textures(look), motion(plan, std::move(route), look.seed) {}
+  Person(const PersonAppearance& appearance, const Skeleton& skeleton, Route route)
+      : mesh(skeleton, appearance),
+        textures(appearance),
+        motion(skeleton, std::move(route), appearance.seed) {}
 };
 
-/// A look drawn at random; even and odd `number` differ in build and hair.
-PersonLook random_look(int number, std::uint64_t seed);
+/// A random appearance; even and odd `number` differ in build and hair.
+PersonAppearance random_appearance(int number, std::uint64_t seed);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

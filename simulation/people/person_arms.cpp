@@ -1,21 +1,16 @@
-// What the arms of a person do: swing, gesture, hold and push.
+// Motion of the arms: swing, gesture, hold and push.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "simulation/people/person_motion.hpp"
 #include "simulation/scene/furniture.hpp"
-#include "simulation/sequence/motion_curves.hpp"
+#include "simulation/scene/motion_curves.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3d;
-using motion::about_x;
-using motion::about_y;
-using motion::about_z;
-using motion::smooth;
-using motion::wave;
 
 const Vector3d kUp = Vector3d::UnitZ();
 
@@ -33,20 +28,20 @@ void PersonMotion::move_arm(bool left, const Grasp& grasp, const Vector3d& elbow
                             BodyPose& pose) const {
   const ArmBones arm(left);
   const Eigen::Quaterniond upper_before = pose[arm.upper].rotation, lower_before = pose[arm.lower].rotation;
-  reach(plan_, arm.upper, arm.lower, grasp.wrist, elbow_towards, -Vector3d::UnitX(), pose);
+  reach(skeleton_, arm.upper, arm.lower, grasp.wrist, elbow_towards, -Vector3d::UnitX(), pose);
   pose[arm.upper].rotation = upper_before.slerp(grasp.share, pose[arm.upper].rotation);
   pose[arm.lower] = Pose(lower_before.slerp(grasp.share, pose[arm.lower].rotation),
-                         pose[arm.upper] * (plan_.end(arm.upper) - plan_.joint(arm.upper)));
-  attach(plan_, arm.hand, Eigen::Quaterniond::Identity(), pose);
+                         pose[arm.upper] * (skeleton_.end(arm.upper) - skeleton_.joint(arm.upper)));
+  attach(skeleton_, arm.hand, Eigen::Quaterniond::Identity(), pose);
 }
 
 Pose PersonMotion::held_box(double time) const {
   const Stance body = route_.at(time);
-  const Doing now = doing(time);
-  const double bob = 0.3 * (pelvis(time, body, {}).translation.z() - plan_.joint(Bone::pelvis).z());
+  const Action now = action_at(time);
+  const double bob = 0.3 * (pelvis(time, body, {}).translation.z() - skeleton_.joint(Bone::pelvis).z());
   const Vector3d ahead(forward(body.yaw).x(), forward(body.yaw).y(), 0);
   const Vector3d at =
-      Vector3d(body.position.x(), body.position.y(), 0.98 * plan_.scale() + bob) + 0.36 * ahead;
+      Vector3d(body.position.x(), body.position.y(), 0.98 * skeleton_.scale() + bob) + 0.36 * ahead;
   const Pose held(about_z(body.yaw), at);
   if (now.act != Act::place && now.act != Act::pick) return held;
   const double a = now.amount;
@@ -55,7 +50,7 @@ Pose PersonMotion::held_box(double time) const {
           held.translation + a * (now.place.translation - held.translation) + lifted};
 }
 
-std::optional<PersonMotion::Grasp> PersonMotion::grasp(bool left, double time, const Doing& now,
+std::optional<PersonMotion::Grasp> PersonMotion::grasp(bool left, double time, const Action& now,
                                                        const BodyPose& pose) const {
   const double out = left ? 1 : -1;
   const Pose& chest = pose[Bone::chest];
@@ -65,7 +60,7 @@ std::optional<PersonMotion::Grasp> PersonMotion::grasp(bool left, double time, c
       break;
     case Act::sit: {  // on the thighs
       const Bone thigh = left ? Bone::left_thigh : Bone::right_thigh;
-      const Vector3d hip = pose[thigh].translation, knee = pose.point(plan_, thigh, plan_.end(thigh));
+      const Vector3d hip = pose[thigh].translation, knee = pose.point(skeleton_, thigh, skeleton_.end(thigh));
       return Grasp{hip + 0.62 * (knee - hip) + 0.11 * kUp - 0.05 * ahead, smooth(2 * now.amount - 1)};
     }
     case Act::phone: {  // the right hand reaches from before the shoulder up to the ear
@@ -86,9 +81,9 @@ std::optional<PersonMotion::Grasp> PersonMotion::grasp(bool left, double time, c
       return Grasp{side - 0.10 * ahead, now.holding};
     }
     case Act::push: {  // on the back rest
-      const Eigen::Vector2d way = forward(route_.at(time).yaw);
-      Vector3d rest =
-          pose[Bone::pelvis].translation + 0.37 * Vector3d(way.x(), way.y(), 0) + out * 0.16 * to_left;
+      const Eigen::Vector2d direction = forward(route_.at(time).yaw);
+      Vector3d rest = pose[Bone::pelvis].translation + 0.37 * Vector3d(direction.x(), direction.y(), 0) +
+                      out * 0.16 * to_left;
       rest.z() = kSeatHeight + 0.61;
       return Grasp{rest, now.amount};
     }
@@ -96,16 +91,16 @@ std::optional<PersonMotion::Grasp> PersonMotion::grasp(bool left, double time, c
   return std::nullopt;
 }
 
-void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyPose& pose) const {
+void PersonMotion::pose_arms(double time, const Action& now, double stride, BodyPose& pose) const {
   const double pace = std::min(1.0, route_.speed(time)), swing = 0.44 * stride / 0.6;
   for (const bool left : {true, false}) {
     const double out = left ? 1 : -1;
     const ArmBones arm(left);
     // The arm of one side goes forward (negative about x) with the foot of the other.
     const double back = out * swing + 0.04 * wave(time, 5.9, phase_[left ? 1 : 2]);
-    attach(plan_, arm.upper, about_x(back) * about_y(out * 0.30), pose);
-    attach(plan_, arm.lower, about_x(-0.2 - 0.1 * pace - 0.45 * std::max(0.0, -back)), pose);
-    attach(plan_, arm.hand, Eigen::Quaterniond::Identity(), pose);
+    attach(skeleton_, arm.upper, about_x(back) * about_y(out * 0.30), pose);
+    attach(skeleton_, arm.lower, about_x(-0.2 - 0.1 * pace - 0.45 * std::max(0.0, -back)), pose);
+    attach(skeleton_, arm.hand, Eigen::Quaterniond::Identity(), pose);
     if (const std::optional<Grasp> wanted = grasp(left, time, now, pose)) {
       const Eigen::Matrix3d chest = pose[Bone::chest].rotation_matrix();
       move_arm(left, *wanted, -kUp + 0.4 * out * chest.col(0) + 0.3 * chest.col(1), pose);
@@ -113,4 +108,4 @@ void PersonMotion::pose_arms(double time, const Doing& now, double stride, BodyP
   }
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -6,13 +6,13 @@
 
 #include "simulation/scene/surface_textures.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
 
 constexpr float kClothTile = 0.4F;                      // side of a cloth texture [m]
-constexpr float kHeadLow = 1.45F, kHeadSpan = 0.34F;    // heights that head and hair textures cover [m]
+constexpr float kHeadLow = 1.45F, kHeadSpan = 0.34F;    // heights that head and hair textures region [m]
 constexpr float kHeadMiddle = 0.018F;                   // y of the axis that they go round
 constexpr float kPrintLow = 1.14F, kPrintSide = 0.26F;  // the picture on the chest [m]
 
@@ -57,10 +57,11 @@ void paint_eye(Canvas& c, double side, const Paint& skin, const Paint& iris) {
   c.line(face_u(x - 0.012), face_v(z - 0.0075), face_u(x + 0.012), face_v(z - 0.0075), scaled(skin, 0.86), 1);
 }
 
-cv::Mat head_texture(const PersonLook& look, const Paint& skin, const Paint& hair, Random& random) {
+cv::Mat head_texture(const PersonAppearance& appearance, const Paint& skin, const Paint& hair,
+                     Random& random) {
   Canvas c(1024, 512, skin);
   c.modulate(fractal_noise(1024, 512, 12, 6, 5, random.next()), 0.05);
-  const bool beard = look.measures.chest_depth == 0 && random.below(2) == 0;
+  const bool beard = appearance.measures.chest_depth == 0 && random.below(2) == 0;
   cv::Mat shade(512, 1024, CV_32FC1);
   for (int y = 0; y < 512; ++y) {  // blush of the cheeks, shadow of a beard
     for (int x = 0; x < 1024; ++x) {
@@ -74,7 +75,7 @@ cv::Mat head_texture(const PersonLook& look, const Paint& skin, const Paint& hai
   }
   c.modulate(shade, 1);
   const Paint brow = mixed(hair, {40, 30, 24}, 0.4),
-              lip = mixed(skin, {176, 70, 74}, look.measures.chest_depth > 0 ? 0.75 : 0.4);
+              lip = mixed(skin, {176, 70, 74}, appearance.measures.chest_depth > 0 ? 0.75 : 0.4);
   for (const double side : {-1.0, 1.0}) {
     paint_eye(c, side, skin, hue_paint(random.uniform(0.05, 0.6), 0.4, 0.4));
     for (int i = 0; i < 40; ++i) {  // hairs of the brow
@@ -173,14 +174,15 @@ cv::Mat print_texture(const cv::Mat& cloth, Random& random) {
 
 }  // namespace
 
-PersonTextures::PersonTextures(const PersonLook& look) : height_(static_cast<float>(look.measures.height)) {
-  Random random(look.seed, 41);
+PersonTextures::PersonTextures(const PersonAppearance& appearance)
+    : height_(static_cast<float>(appearance.measures.height)) {
+  Random random(appearance.seed, 41);
   const auto [skin, hair] = draw_complexion(random);
   bool plain = false;
   const cv::Mat top = top_texture(random, &plain);
   const Paint shoe = random.below(2) == 0 ? Paint{40, 36, 34} : hue_paint(random.uniform(), 0.5, 0.5);
   textures_.emplace_back(skin_texture(skin, random));
-  textures_.emplace_back(head_texture(look, skin, hair, random));
+  textures_.emplace_back(head_texture(appearance, skin, hair, random));
   textures_.emplace_back(hair_texture(hair, random));
   textures_.emplace_back(top);
   textures_.emplace_back(trousers_texture(random));
@@ -197,10 +199,10 @@ Rgb PersonTextures::round(const Texture& texture, const Vector3f& at_rest, float
                         seen * static_cast<float>(texture.height()) / kHeadSpan);
 }
 
-Rgb PersonTextures::colour(Cover cover, const Vector3f& p, const Vector3f& n, float seen) const {
-  const Texture& texture = textures_[static_cast<std::size_t>(cover)];
-  if (cover == Cover::head || cover == Cover::hair) return round(texture, p, seen);
-  if (cover == Cover::top && !print_.empty() && n.y() < -0.3F) {
+Rgb PersonTextures::colour(BodyRegion region, const Vector3f& p, const Vector3f& n, float seen) const {
+  const Texture& texture = textures_[static_cast<std::size_t>(region)];
+  if (region == BodyRegion::head || region == BodyRegion::hair) return round(texture, p, seen);
+  if (region == BodyRegion::top && !print_.empty() && n.y() < -0.3F) {
     const float low = kPrintLow * height_ / 1.75F, u = p.x() / kPrintSide + 0.5F,
                 v = 1 - (p.z() - low) / kPrintSide;
     if (u > 0 && u < 1 && v > 0 && v < 1)
@@ -220,4 +222,4 @@ Rgb PersonTextures::colour(Cover cover, const Vector3f& p, const Vector3f& n, fl
   return sum / total;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,35 +4,35 @@
 #include <cmath>
 #include <numbers>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double kTurnRate = 2.4, kTurnAcceleration = 9;  // [rad/s], [rad/s^2]
 constexpr double kAcceleration = 1.1;                     // [m/s^2]
-constexpr double kLookAhead = 0.45;                       // how far ahead on the way the walker aims [m]
+constexpr double kLookAhead = 0.45;                       // look-ahead of the path follower [m]
 constexpr double kArrived = 0.02;                         // [m]
 
-/// The point `distance` farther along a polyline from the projection of `p` on piece `*piece` (moved on as
-/// needed).
-Vector2d aim(const std::vector<Vector2d>& way, const Vector2d& p, double distance, std::size_t* piece) {
+/// The point `distance` beyond the projection of `p` on a polyline; `*piece` is the segment it is on,
+/// advanced as needed.
+Vector2d aim(const std::vector<Vector2d>& path, const Vector2d& p, double distance, std::size_t* piece) {
   const auto along = [&](std::size_t i) {
-    const Vector2d d = way[i + 1] - way[i];
-    return std::clamp((p - way[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+    const Vector2d d = path[i + 1] - path[i];
+    return std::clamp((p - path[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
   };
   const auto passed = [&](std::size_t i) {
-    return along(i) >= 1 || (way[i + 1] - p).norm() < 0.6 * distance;
+    return along(i) >= 1 || (path[i + 1] - p).norm() < 0.6 * distance;
   };
-  while (*piece + 2 < way.size() && passed(*piece)) ++*piece;
+  while (*piece + 2 < path.size() && passed(*piece)) ++*piece;
   std::size_t i = *piece;
-  Vector2d at = way[i] + along(i) * (way[i + 1] - way[i]);
+  Vector2d at = path[i] + along(i) * (path[i + 1] - path[i]);
   while (true) {
-    const double left = (way[i + 1] - at).norm();
-    if (left >= distance) return at + (way[i + 1] - at) * (distance / left);
+    const double left = (path[i + 1] - at).norm();
+    if (left >= distance) return at + (path[i + 1] - at) * (distance / left);
     distance -= left;
-    at = way[i + 1];
-    if (++i + 1 >= way.size()) return at;
+    at = path[i + 1];
+    if (++i + 1 >= path.size()) return at;
   }
 }
 
@@ -60,27 +60,27 @@ void Route::turn(double yaw) {
 }
 
 void Route::walk(const std::vector<Vector2d>& points, double speed) {
-  std::vector<Vector2d> way{last().position};
+  std::vector<Vector2d> path{last().position};
   for (const Vector2d& p : points) {
-    if ((p - way.back()).norm() > 0.05) way.push_back(p);
+    if ((p - path.back()).norm() > 0.05) path.push_back(p);
   }
-  if (way.size() < 2) return;
+  if (path.size() < 2) return;
   Stance s = last();
   std::size_t piece = 0;
   double v = 0, rate = 0;
   constexpr int kMaxSteps = 6000;
   for (int i = 0; i < kMaxSteps; ++i) {
-    const Vector2d target = aim(way, s.position, kLookAhead, &piece), to_end = way.back() - s.position;
+    const Vector2d target = aim(path, s.position, kLookAhead, &piece), to_end = path.back() - s.position;
     if (to_end.norm() < kArrived) break;
-    const bool last_steps = piece + 2 == way.size() && to_end.norm() < 0.25;
+    const bool last_steps = piece + 2 == path.size() && to_end.norm() < 0.25;
     const Vector2d direction = last_steps ? to_end : Vector2d(target - s.position);
     const double error = wrapped(yaw_towards(direction) - s.yaw);
     const double wanted_rate = last_steps ? 0 : std::clamp(4.5 * error, -kTurnRate, kTurnRate);
     rate += std::clamp(wanted_rate - rate, -kTurnAcceleration * kStep, kTurnAcceleration * kStep);
     s.yaw += rate * kStep;
-    // Nobody walks fast into a turn, and the end is reached at rest.
-    const double turning = last_steps ? 1 : std::pow(std::max(0.0, std::cos(error)), 2);
-    const double wanted = std::min(speed * turning, std::sqrt(2 * kAcceleration * to_end.norm()));
+    // Slow in curves, at rest at the end.
+    const double yaw_rate = last_steps ? 1 : std::pow(std::max(0.0, std::cos(error)), 2);
+    const double wanted = std::min(speed * yaw_rate, std::sqrt(2 * kAcceleration * to_end.norm()));
     v += std::clamp(wanted - v, -2 * kAcceleration * kStep, kAcceleration * kStep);
     v = std::max(v, last_steps ? 0.08 : 0.0);
     const Vector2d step = last_steps ? Vector2d(direction.normalized()) : forward(s.yaw);
@@ -115,7 +115,7 @@ double Route::speed(double time) const {
   return (at(time + kSpan).position - at(time - kSpan).position).norm() / (2 * kSpan);
 }
 
-double Route::turning(double time) const {
+double Route::yaw_rate(double time) const {
   constexpr double kSpan = 0.1;
   return (at(time + kSpan).yaw - at(time - kSpan).yaw) / (2 * kSpan);
 }
@@ -126,4 +126,4 @@ void Route::cut(double time) {
   std::erase_if(episodes_, [&](const Episode& e) { return e.begin > time - 0.5 * kStep; });
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

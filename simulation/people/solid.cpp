@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 /// The smaller of a and b, rounded where they are less than k apart.
@@ -38,25 +38,25 @@ void Solid::cone(const Vector3f& a, const Vector3f& b, float radius_a, float rad
 }
 
 void Solid::ellipsoid(const Vector3f& centre, const Vector3f& radii, float blend,
-                      const Eigen::Quaternionf& turn) {
+                      const Eigen::Quaternionf& rotation) {
   Shape shape;
   shape.kind = Kind::ellipsoid;
   shape.a = centre;
   shape.b = radii;
   shape.blend = blend;
-  shape.to_local = turn.conjugate().toRotationMatrix();
+  shape.to_local = rotation.conjugate().toRotationMatrix();
   add(shape, centre, radii.maxCoeff());
 }
 
 void Solid::carve(const Vector3f& centre, const Vector3f& radii, float blend,
-                  const Eigen::Quaternionf& turn) {
+                  const Eigen::Quaternionf& rotation) {
   Shape shape;
   shape.kind = Kind::ellipsoid;
   shape.add = false;
   shape.a = centre;
   shape.b = radii;
   shape.blend = blend;
-  shape.to_local = turn.conjugate().toRotationMatrix();
+  shape.to_local = rotation.conjugate().toRotationMatrix();
   add(shape, centre, radii.maxCoeff());
 }
 
@@ -81,10 +81,10 @@ void Solid::cut(const Vector3f& point, const Vector3f& normal, float blend) {
   add(shape, point, std::numeric_limits<float>::max());
 }
 
-void Solid::displace(Displacement amount, float largest) {
+void Solid::displace(Displacement amount, float max_amount) {
   displacement_ = std::move(amount);
-  bounds_.extend(Vector3f(bounds_.min() - Vector3f::Constant(largest)));
-  bounds_.extend(Vector3f(bounds_.max() + Vector3f::Constant(largest)));
+  bounds_.extend(Vector3f(bounds_.min() - Vector3f::Constant(max_amount)));
+  bounds_.extend(Vector3f(bounds_.max() + Vector3f::Constant(max_amount)));
 }
 
 float Solid::distance(const Shape& shape, const Vector3f& p) {
@@ -108,15 +108,15 @@ float Solid::distance(const Shape& shape, const Vector3f& p) {
     case Kind::plane:
       break;
   }
-  return -(p - shape.a).dot(shape.b);  // the part to take away is where this is negative
+  return -(p - shape.a).dot(shape.b);  // negative in the part to carve away
 }
 
 float Solid::distance(const Vector3f& p) const {
   float sum = std::numeric_limits<float>::max();
   for (const Shape& shape : shapes_) {
     if (shape.add) {
-      const float least = (p - shape.middle).norm() - shape.reach;
-      if (least > sum + shape.blend) continue;  // too far away to matter
+      const float min_distance = (p - shape.middle).norm() - shape.reach;
+      if (min_distance > sum + shape.blend) continue;  // too far away to matter
       sum = sum == std::numeric_limits<float>::max() ? distance(shape, p)
                                                      : soft_min(sum, distance(shape, p), shape.blend);
     } else {
@@ -137,4 +137,4 @@ Eigen::Vector3f Solid::normal(const Vector3f& p) const {
   return gradient.normalized();
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,33 +5,34 @@
 #include <functional>
 #include <vector>
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// A soft body given by its signed distance (negative inside): simple shapes that flow into each other, added
-/// or carved away one after the other. Blends are quadratic (Ricci 1973 has the idea); distances of
-/// ellipsoids are of first order (Taubin 1991). Metres.
+/// A solid given by its signed distance (negative inside): simple shapes added or carved away one after the
+/// other, with smooth blends (quadratic; the idea is Ricci 1973). Distances of ellipsoids are first-order
+/// (Taubin 1991). Metres.
 class Solid {
  public:
   using Vector3f = Eigen::Vector3f;
   using Displacement = std::function<float(const Vector3f&)>;
 
-  /// A rod that grows from radius_a at a to radius_b at b. `blend` is the width of the seam with what is
-  /// there.
+  /// A rod with round ends, of radius_a at a and radius_b at b. `blend` is the width of the blend with what
+  /// is there.
   void cone(const Vector3f& a, const Vector3f& b, float radius_a, float radius_b, float blend);
   void ellipsoid(const Vector3f& centre, const Vector3f& radii, float blend,
-                 const Eigen::Quaternionf& turn = Eigen::Quaternionf::Identity());
+                 const Eigen::Quaternionf& rotation = Eigen::Quaternionf::Identity());
   void ball(const Vector3f& centre, float radius, float blend) {
     ellipsoid(centre, {radius, radius, radius}, blend);
   }
-  /// A ring of the given thickness (radius of its rim) about an axis.
+  /// A torus about an axis; `thickness` is the radius of the tube.
   void ring(const Vector3f& centre, const Vector3f& axis, float radius, float thickness, float blend);
-  /// Takes an ellipsoid away.
+  /// Carves away an ellipsoid.
   void carve(const Vector3f& centre, const Vector3f& radii, float blend,
-             const Eigen::Quaternionf& turn = Eigen::Quaternionf::Identity());
-  /// Takes away what lies beyond a plane, on the side of its normal.
+             const Eigen::Quaternionf& rotation = Eigen::Quaternionf::Identity());
+  /// Carves away the side of a plane that its normal points to.
   void cut(const Vector3f& point, const Vector3f& normal, float blend);
-  /// Swells the finished surface outward by a small amount that depends on the place.
-  void displace(Displacement amount, float largest);
+  /// Displaces the finished surface outward by a small amount, at most max_amount, that depends on the
+  /// position.
+  void displace(Displacement amount, float max_amount);
 
   float distance(const Vector3f& p) const;
   /// Unit vector outward.
@@ -58,4 +59,4 @@ class Solid {
   Eigen::AlignedBox3f bounds_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

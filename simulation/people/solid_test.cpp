@@ -6,7 +6,7 @@
 
 #include "simulation/people/surface_nets.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
@@ -38,14 +38,14 @@ TEST(Solid, ABlendFillsTheSeamAndNothingElse) {
 TEST(SurfaceNets, ABallIsClosedRoundAndOutward) {
   Solid ball;
   ball.ball({0.2F, -0.1F, 0.4F}, 0.3F, 0);
-  const Skin skin = surface_of(ball, 0.03F);
+  const QuadSurface surface = surface_of(ball, 0.03F);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   double area = 0;
-  for (const auto& q : skin.quads) {
-    const Vector3f n =
-        (skin.positions[q[2]] - skin.positions[q[0]]).cross(skin.positions[q[3]] - skin.positions[q[1]]);
+  for (const auto& q : surface.quads) {
+    const Vector3f n = (surface.positions[q[2]] - surface.positions[q[0]])
+                           .cross(surface.positions[q[3]] - surface.positions[q[1]]);
     area += 0.5 * n.norm();
-    EXPECT_GT(n.dot(skin.normals[q[0]]), 0);
+    EXPECT_GT(n.dot(surface.normals[q[0]]), 0);
     for (int i = 0; i < 4; ++i) {
       ++edges[{q[i], q[(i + 1) % 4]}];
       --edges[{q[(i + 1) % 4], q[i]}];
@@ -53,12 +53,12 @@ TEST(SurfaceNets, ABallIsClosedRoundAndOutward) {
   }
   for (const auto& [edge, balance] : edges) EXPECT_EQ(balance, 0);  // every edge has a quad on either side
   EXPECT_NEAR(area, 4 * 3.14159265 * 0.09, 0.01);
-  for (std::size_t i = 0; i < skin.positions.size(); ++i) {
-    const Vector3f out = skin.positions[i] - Vector3f(0.2F, -0.1F, 0.4F);
+  for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+    const Vector3f out = surface.positions[i] - Vector3f(0.2F, -0.1F, 0.4F);
     EXPECT_NEAR(out.norm(), 0.3, 1e-3);
-    EXPECT_NEAR(out.normalized().dot(skin.normals[i]), 1, 1e-3);
+    EXPECT_NEAR(out.normalized().dot(surface.normals[i]), 1, 1e-3);
   }
 }
 
 }  // namespace
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
 constexpr int kBlock =
-    4;  // lattice points are worked out in blocks of 4^3, most of which are far from the surface
+    4;  // lattice points are computed in blocks of 4^3, most of which are far from the surface
 
 /// The signed distance at the points of a lattice; far from the surface only its sign is right.
 class Lattice {
@@ -41,7 +41,7 @@ class Lattice {
   void fill_block(const Solid& solid, const Vector3i& first) {
     const Vector3f middle = point(first) + Vector3f::Constant(0.5F * (kBlock - 1) * cell_);
     const float there = solid.distance(middle);
-    // Distances of squeezed shapes are rough, hence the generous margin.
+    // Distances of flattened ellipsoids are rough, hence the wide margin.
     const bool far = std::abs(there) > 1.7F * 0.866F * kBlock * cell_;
     for (int z = 0; z < kBlock; ++z) {
       for (int y = 0; y < kBlock; ++y) {
@@ -82,11 +82,11 @@ bool crossing(const Lattice& lattice, const Vector3i& cell, Vector3f* mean) {
 
 }  // namespace
 
-Skin surface_of(const Solid& solid, float cell) {
+QuadSurface surface_of(const Solid& solid, float cell) {
   constexpr std::uint32_t kNone = ~0U;
   const Lattice lattice(solid, cell);
   const Vector3i size = lattice.size();
-  Skin skin;
+  QuadSurface surface;
   std::vector<std::uint32_t> vertex_of(static_cast<std::size_t>(size[0]) * size[1] * size[2], kNone);
   Vector3i at;
   for (at[2] = 0; at[2] + 1 < size[2]; ++at[2]) {
@@ -94,13 +94,13 @@ Skin surface_of(const Solid& solid, float cell) {
       for (at[0] = 0; at[0] + 1 < size[0]; ++at[0]) {
         Vector3f p;
         if (!crossing(lattice, at, &p)) continue;
-        vertex_of[lattice.offset(at)] = static_cast<std::uint32_t>(skin.positions.size());
+        vertex_of[lattice.offset(at)] = static_cast<std::uint32_t>(surface.positions.size());
         for (int i = 0; i < 2; ++i) {
           const float d = std::clamp(solid.distance(p), -0.5F * cell, 0.5F * cell);
           p -= d * solid.normal(p);
         }
-        skin.positions.push_back(p);
-        skin.normals.push_back(solid.normal(p));
+        surface.positions.push_back(p);
+        surface.normals.push_back(solid.normal(p));
       }
     }
   }
@@ -116,12 +116,12 @@ Skin surface_of(const Solid& solid, float cell) {
                                             vertex_of[lattice.offset(at - v)], vertex_of[lattice.offset(at)],
                                             vertex_of[lattice.offset(at - u)]};
           if (!inside) std::swap(quad[1], quad[3]);
-          skin.quads.push_back(quad);
+          surface.quads.push_back(quad);
         }
       }
     }
   }
-  return skin;
+  return surface;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -10,13 +10,12 @@
 #include "simulation/scene/room.hpp"
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
 
-/// The way round the desks; the first five points lie between the desks and the camera of the walking
-/// presets.
+/// Waypoints round the desks; the first five lie between the desks and the camera of the walking presets.
 const std::array<Vector2d, 14> kRing{{{-1.7, -0.85},
                                       {-0.75, -0.92},
                                       {-0.3, -1.0},
@@ -34,12 +33,13 @@ const std::array<Vector2d, 14> kRing{{{-1.7, -0.85},
 constexpr int kRingSize = static_cast<int>(kRing.size());
 constexpr int kFirstSeen = 1, kLastSeen = 4;  // the points of the ring in the middle of the view
 constexpr int kNearChair = 4;                 // the point of the ring next to the visitors' chair
-constexpr double kApart = 0.62;               // least distance between two people [m]
-constexpr double kBeforeChair = 0.44;         // from the chair's middle to who is about to sit down [m]
+constexpr double kMinDistance = 0.62;         // between two people [m]
+constexpr double kBeforeChair = 0.44;  // from the centre of the chair to a person about to sit down [m]
 
 int ring_index(int i) { return (i % kRingSize + kRingSize) % kRingSize; }
 
-/// Plans the two walkers together: who is free first plans the next piece against what the other has planned.
+/// Plans the two walkers together: the one whose route ends first gets the next piece, checked against the
+/// other route.
 class Walkers {
  public:
   explicit Walkers(std::uint64_t seed) : random_(seed, 71) {
@@ -66,7 +66,7 @@ class Walkers {
     const Route &a = routes_[who], &b = routes_[1 - who];
     const double until = std::max(a.end(), b.end());
     for (double t = from; t <= until; t += 0.05) {
-      if ((a.at(t).position - b.at(t).position).norm() < kApart) return true;
+      if ((a.at(t).position - b.at(t).position).norm() < kMinDistance) return true;
     }
     return false;
   }
@@ -101,7 +101,7 @@ class Walkers {
   }
 
   void stroll(int who) {
-    // Mostly to and fro before the desks, now and then all the way round.
+    // Mostly to and fro before the desks, sometimes all the way round.
     const bool seen = random_.uniform() < 0.86;
     const int to = seen ? kFirstSeen + static_cast<int>(random_.below(kLastSeen - kFirstSeen + 1))
                         : static_cast<int>(random_.below(kRingSize));
@@ -114,7 +114,7 @@ class Walkers {
 
   void pause(int who) {
     Route& route = routes_[who];
-    // To the desks, to the camera, to the other one, or anywhere.
+    // Facing the desks, the camera, the other person, or any direction.
     const Vector2d to_other = routes_[1 - who].at(route.end()).position - route.last().position;
     const double yaws[] = {std::numbers::pi, 0, yaw_towards(to_other), random_.uniform(-3, 3)};
     route.turn(yaws[random_.below(4)] + random_.uniform(-0.4, 0.4));
@@ -152,4 +152,4 @@ class Walkers {
 
 std::vector<Route> plan_walks(double seconds, std::uint64_t seed) { return Walkers(seed).plan(seconds); }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

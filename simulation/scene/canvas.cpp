@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 cv::Scalar bgr(const Paint& p) {
@@ -206,4 +206,4 @@ std::string pseudo_title(Random& random, int words) {
   return title;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -7,7 +7,7 @@
 
 #include "core/random.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// Colour of paint: 8-bit sRGB red, green, blue.
 struct Paint {
@@ -43,8 +43,8 @@ class Canvas {
   void ring(double x, double y, double radius, const Paint& paint, int pixels);
   void line(double x0, double y0, double x1, double y1, const Paint& paint, int pixels);
   void triangle(const cv::Point2d& a, const cv::Point2d& b, const cv::Point2d& c, const Paint& paint);
-  /// One line of text; `height` is that of its capitals, as a fraction of the canvas's height; squeezed if it
-  /// would leave the canvas.
+  /// One line of text; `height` is that of its capitals, as a fraction of the canvas's height; narrowed if it
+  /// would not fit.
   void text(std::string_view words, double x, double y, double height, const Paint& paint, int pixels = 1);
   /// Lines of pseudo words filling a rectangle.
   void paragraph(double x, double y, double width, double height, double line_height, const Paint& paint,
@@ -62,8 +62,8 @@ class Canvas {
   cv::Mat image_;
 };
 
-/// A pseudo word of 2..9 letters, as the captions and spines have them.
+/// A pseudo word of 2..9 letters.
 std::string pseudo_word(Random& random);
 std::string pseudo_title(Random& random, int words);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
@@ -214,4 +214,4 @@ void scatter(ShapeBuilder& b, const RoomMaterials& m, int count, double width, d
   b.world_from_local = outer;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,9 +4,9 @@
 #include "simulation/scene/room_materials.hpp"
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-// Small things that lie about, each standing on z = 0 at the origin of the builder's frame, front along -y.
+// Small objects, each standing on z = 0 at the origin of the builder's frame, front along -y.
 
 void add_mug(ShapeBuilder& b, const RoomMaterials& m, Random& random);
 void add_bottle(ShapeBuilder& b, const RoomMaterials& m, Random& random);
@@ -22,11 +22,11 @@ void add_mouse(ShapeBuilder& b, const RoomMaterials& m);
 void add_telephone(ShapeBuilder& b, const RoomMaterials& m);
 void add_desk_lamp(ShapeBuilder& b, const RoomMaterials& m);
 void add_laptop(ShapeBuilder& b, const RoomMaterials& m, int picture);
-/// A cable that winds over the plane z = 0 from one point to another.
+/// A winding cable on the plane z = 0 between two points.
 void add_cable(ShapeBuilder& b, const RoomMaterials& m, const Eigen::Vector2d& from,
                const Eigen::Vector2d& to, Random& random);
 void add_fruit_bowl(ShapeBuilder& b, const RoomMaterials& m);
-/// Things of all kinds, spread over a rectangle of width x depth without touching each other.
+/// Objects of all kinds on a rectangle of width x depth, not touching each other.
 void scatter(ShapeBuilder& b, const RoomMaterials& m, int count, double width, double depth, Random& random);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// Linear light, red green blue; 1 is a white wall under the room's normal light.
 using Rgb = Eigen::Vector3f;
@@ -33,4 +33,4 @@ inline Rgb rgb8(int red, int green, int blue) {
   return {linear_of_byte()[red], linear_of_byte()[green], linear_of_byte()[blue]};
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

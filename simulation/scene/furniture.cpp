@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Runs `build` in a frame that is moved within the builder's present one.
+/// Runs `build` in a frame given relative to the builder's present one.
 template <typename Build>
 void within(ShapeBuilder& b, const Pose& local, Build&& build) {
   const Pose outer = b.world_from_local;
@@ -181,4 +181,4 @@ void add_monitor(ShapeBuilder& b, const RoomMaterials& m, double width, int pict
   b.box({width / 2 - 0.06, -0.019, low + 0.006}, {0.05, 0.001, 0.008}, m.white_plastic);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

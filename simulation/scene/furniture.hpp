@@ -4,16 +4,16 @@
 #include "simulation/scene/room_materials.hpp"
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 // Furniture, each piece built around the origin of the builder's frame: it stands on z = 0 and its front
-// looks along -y. Metres.
+// faces -y. Metres.
 
 constexpr double kDeskHeight = 0.73;
 constexpr double kSeatHeight = 0.47;
 
 void add_desk(ShapeBuilder& b, const RoomMaterials& m, double width, double depth);
-/// Office chair on a five-star base, 0.6 m across; who sits on it looks along -y.
+/// Office chair on a five-star base, 0.6 m across; the sitter faces -y.
 void add_office_chair(ShapeBuilder& b, const RoomMaterials& m);
 /// Shelf with boards every ~0.35 m, filled with books and boxes.
 void add_bookshelf(ShapeBuilder& b, const RoomMaterials& m, double width, double height, Random& random);
@@ -34,4 +34,4 @@ void add_bin(ShapeBuilder& b, const RoomMaterials& m);
 void add_radiator(ShapeBuilder& b, const RoomMaterials& m, double width);
 void add_floor_lamp(ShapeBuilder& b, const RoomMaterials& m);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace stdc {
+namespace stdc::simulation {
 
 void Mesh::finish_patch(int columns, int rows, int material) {
   const std::size_t count = static_cast<std::size_t>(columns + 1) * (rows + 1);
@@ -30,4 +30,4 @@ void Mesh::finish_patch(int columns, int rows, int material) {
   patches.push_back(patch);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// A rectangular grid of quads, columns x rows, with (columns + 1) x (rows + 1) vertices of its own, row by
-/// row. Its parameters (s, t) run over [0, 1]^2 from the first vertex along columns (s) and rows (t); normal
-/// = d/ds x d/dt points outside. Baked light is stored per patch over (s, t).
+/// row. Its parameters (s, t) run over [0, 1]^2 from the first vertex along columns (s) and rows (t); the
+/// normal d/ds x d/dt points outward. Baked light is stored per patch over (s, t).
 struct Patch {
   std::uint32_t first_vertex = 0, first_quad = 0;
   std::uint16_t columns = 1, rows = 1;
@@ -30,4 +30,4 @@ struct Mesh {
   void finish_patch(int columns, int rows, int material);
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

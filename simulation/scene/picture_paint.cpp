@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 void paint_map(Canvas& c, Random& random) {
@@ -161,4 +161,4 @@ void paint_poster(Canvas& c, Random& random, int index) {
   c.frame(0, 0, 1, 1, {90, 90, 90}, 2);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

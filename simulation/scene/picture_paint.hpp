@@ -2,9 +2,9 @@
 
 #include "simulation/scene/canvas.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-// Pictures that fill a canvas, drawn by chance: parts of posters, covers, pages and photographs.
+// Random pictures that fill a canvas: parts of posters, book covers, pages and photographs.
 
 constexpr Paint kInk{28, 28, 32}, kPaperWhite{240, 240, 236};
 
@@ -15,7 +15,7 @@ void paint_bars(Canvas& c, Random& random);
 void paint_landscape(Canvas& c, Random& random);
 /// Discs, rings and triangles over a blend of colours, with a title.
 void paint_shapes(Canvas& c, Random& random);
-/// A poster; its kind goes by `index`: conference poster, landscape, map, shapes.
+/// A poster; `index` selects its kind: conference poster, landscape, map, shapes.
 void paint_poster(Canvas& c, Random& random, int index);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -6,11 +6,11 @@
 
 #include "simulation/scene/picture_paint.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
-Atlas make_atlas(int width, int height, int columns, int rows, std::uint64_t seed,
-                 const std::function<void(Canvas&, Random&, int)>& paint) {
+PictureSheet make_atlas(int width, int height, int columns, int rows, std::uint64_t seed,
+                        const std::function<void(Canvas&, Random&, int)>& paint) {
   Random random(seed);
   Canvas canvas(width, height, kPaperWhite);
   for (int i = 0; i < columns * rows; ++i) {
@@ -21,15 +21,15 @@ Atlas make_atlas(int width, int height, int columns, int rows, std::uint64_t see
   return {canvas.image(), columns, rows};
 }
 
-/// Text from top to bottom, as on a spine: painted lying, then turned.
+/// Text from top to bottom, as on a spine: painted lying, then rotated.
 void vertical_text(Canvas& canvas, const std::string& words, double start, double height,
                    const Paint& paint) {
   Canvas lying(canvas.height(), canvas.width(), paint);
   cv::rotate(canvas.image(), lying.image(), cv::ROTATE_90_COUNTERCLOCKWISE);
   lying.text(words, start, 0.5 + height / 2, height, paint, 1);
-  cv::Mat turned;
-  cv::rotate(lying.image(), turned, cv::ROTATE_90_CLOCKWISE);
-  turned.copyTo(canvas.image());
+  cv::Mat rotated;
+  cv::rotate(lying.image(), rotated, cv::ROTATE_90_CLOCKWISE);
+  rotated.copyTo(canvas.image());
 }
 
 void paint_spine(Canvas& c, Random& random, int /*index*/) {
@@ -148,7 +148,7 @@ void paint_note(Canvas& c, Random& random, int index) {
 
 }  // namespace
 
-PictureArea Atlas::area(int index) const {
+PictureArea PictureSheet::area(int index) const {
   const int i = index % count();
   const float w = 1.0F / static_cast<float>(columns), h = 1.0F / static_cast<float>(rows);
   const float u = static_cast<float>(i % columns) * w, v = static_cast<float>(i / columns) * h;
@@ -157,11 +157,11 @@ PictureArea Atlas::area(int index) const {
   return {u + margin_u, v + margin_v, u + w - margin_u, v + h - margin_v};
 }
 
-Atlas book_spines(std::uint64_t seed) { return make_atlas(1024, 1024, 16, 4, seed, paint_spine); }
-Atlas book_covers(std::uint64_t seed) { return make_atlas(1024, 1024, 4, 2, seed, paint_cover); }
-Atlas paper_pages(std::uint64_t seed) { return make_atlas(1024, 1024, 4, 2, seed, paint_page); }
-Atlas packages(std::uint64_t seed) { return make_atlas(1024, 512, 4, 2, seed, paint_package); }
-Atlas posters(std::uint64_t seed) { return make_atlas(2048, 1024, 4, 2, seed, paint_poster); }
-Atlas small_prints(std::uint64_t seed) { return make_atlas(512, 512, 4, 4, seed, paint_note); }
+PictureSheet book_spines(std::uint64_t seed) { return make_atlas(1024, 1024, 16, 4, seed, paint_spine); }
+PictureSheet book_covers(std::uint64_t seed) { return make_atlas(1024, 1024, 4, 2, seed, paint_cover); }
+PictureSheet paper_pages(std::uint64_t seed) { return make_atlas(1024, 1024, 4, 2, seed, paint_page); }
+PictureSheet packages(std::uint64_t seed) { return make_atlas(1024, 512, 4, 2, seed, paint_package); }
+PictureSheet posters(std::uint64_t seed) { return make_atlas(2048, 1024, 4, 2, seed, paint_poster); }
+PictureSheet small_prints(std::uint64_t seed) { return make_atlas(512, 512, 4, 4, seed, paint_note); }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -3,12 +3,12 @@
 #include "simulation/scene/canvas.hpp"
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-// Printed matter and other pictures: what gives a room its corners. Same arguments, same bitmap.
+// Printed matter and other pictures, rich in corners. Same arguments, same bitmap.
 
 /// A bitmap that holds columns x rows pictures of the same kind.
-struct Atlas {
+struct PictureSheet {
   cv::Mat image;
   int columns = 1, rows = 1;
 
@@ -17,13 +17,13 @@ struct Atlas {
   PictureArea area(int index) const;
 };
 
-Atlas book_spines(std::uint64_t seed);   ///< 16 x 4
-Atlas book_covers(std::uint64_t seed);   ///< 4 x 2
-Atlas paper_pages(std::uint64_t seed);   ///< 4 x 2: articles, forms, sketches
-Atlas packages(std::uint64_t seed);      ///< 4 x 2: cartons, tins, bags, wrapped round or flat
-Atlas screens(std::uint64_t seed);       ///< 2 x 2: editor, plots, browser, terminal
-Atlas posters(std::uint64_t seed);       ///< 4 x 2: conference posters, landscapes, maps, shapes
-Atlas small_prints(std::uint64_t seed);  ///< 4 x 4: sticky notes, photographs, cards, badges
+PictureSheet book_spines(std::uint64_t seed);   ///< 16 x 4
+PictureSheet book_covers(std::uint64_t seed);   ///< 4 x 2
+PictureSheet paper_pages(std::uint64_t seed);   ///< 4 x 2: articles, forms, sketches
+PictureSheet packages(std::uint64_t seed);      ///< 4 x 2: cartons, tins, bags, wrapped round or flat
+PictureSheet screens(std::uint64_t seed);       ///< 2 x 2: editor, plots, browser, terminal
+PictureSheet posters(std::uint64_t seed);       ///< 4 x 2: conference posters, landscapes, maps, shapes
+PictureSheet small_prints(std::uint64_t seed);  ///< 4 x 4: sticky notes, photographs, cards, badges
 
 cv::Mat keyboard_texture(std::uint64_t seed);
 cv::Mat whiteboard_texture(std::uint64_t seed);
@@ -31,4 +31,4 @@ cv::Mat outdoor_texture(std::uint64_t seed);  ///< what is seen through the wind
 cv::Mat calendar_texture(std::uint64_t seed);
 cv::Mat clock_texture();
 
-}  // namespace stdc
+}  // namespace stdc::simulation

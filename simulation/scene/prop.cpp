@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 
 Pose Prop::world_from_prop(double time) const {
   Pose pose = start_;
@@ -25,4 +25,4 @@ bool Prop::moving(double time) const {
                      [&](const Move& m) { return time > m.begin && time < m.end; });
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -6,7 +6,7 @@
 #include "simulation/scene/furniture.hpp"
 #include "simulation/scene/room_island.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3d;
@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr double kW = RoomPlan::kHalfWidth, kD = RoomPlan::kHalfDepth, kH = RoomPlan::kHeight;
 constexpr double kQuarter = std::numbers::pi / 2;
 
-// Frames of the walls: origin at the middle of the wall's foot, x to the right for who looks at it, -y into
+// Frames of the walls: origin at the middle of the wall's foot, x to the right when facing it, -y into
 // the room.
 const Pose kNorth = placed(0, kD, 0), kEast = placed(kW, 0, 0, -kQuarter);
 const Pose kSouth = placed(0, -kD, 0, 2 * kQuarter), kWest = placed(-kW, 0, 0, kQuarter);
@@ -133,8 +133,8 @@ void furnish_south(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
     const double size = random.uniform(0.1, 0.17);
     const Finish print = random.below(3) == 0 ? m.pages.pick(random.next()) : m.notes.pick(random.next());
     const Pose wall = b.world_from_local;
-    const double turn = random.uniform(-0.2, 0.2);
-    b.world_from_local = wall * Pose(Eigen::Quaterniond(Eigen::AngleAxisd(turn, Vector3d::UnitY())),
+    const double tilt = random.uniform(-0.2, 0.2);
+    b.world_from_local = wall * Pose(Eigen::Quaterniond(Eigen::AngleAxisd(tilt, Vector3d::UnitY())),
                                      Vector3d(x, -0.026 - 0.0008 * i, z));
     b.rectangle({-size / 2, 0, 0}, {size, 0, 0}, {0, 0, size * 1.2}, print);
     b.ellipsoid({0, -0.006, size * 1.1}, {0.008, 0.008, 0.008}, m.red_paint, 8);
@@ -206,4 +206,4 @@ Room make_room(std::uint64_t seed, bool with_chair) {
   return room;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

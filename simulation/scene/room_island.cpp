@@ -4,13 +4,13 @@
 
 #include "simulation/scene/clutter.hpp"
 #include "simulation/scene/furniture.hpp"
-#include "simulation/scene/room.hpp"
+#include "simulation/scene/room_plan.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
-constexpr int kBoxDesk = 0;  // the workplace with room for a box
+constexpr int kBoxDesk = 0;  // the desk that a box is put on
 
 /// One of the four places at the island; the sitter looks north in its frame.
 void add_workplace(ShapeBuilder& b, const RoomMaterials& m, const Pose& at, int number, Random& random) {
@@ -44,7 +44,7 @@ void add_workplace(ShapeBuilder& b, const RoomMaterials& m, const Pose& at, int 
   } else {
     add_desk_lamp(b, m);
   }
-  if (number != kBoxDesk) {  // there a box is set down in one of the presets
+  if (number != kBoxDesk) {  // the preset moving-box needs the space
     put(-0.55, -0.22, random.uniform(-0.4, 0.4));
     add_book_pile(b, m, 2, random);
   }
@@ -78,4 +78,4 @@ void add_island(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
   b.rectangle({-0.85, -0.6, 0}, {1.7, 0, 0}, {0, 1.2, 0}, m.rug);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

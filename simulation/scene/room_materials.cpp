@@ -3,7 +3,7 @@
 #include "core/random.hpp"
 #include "simulation/scene/surface_textures.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 class Adder {
@@ -20,7 +20,7 @@ class Adder {
   Finish picture(const cv::Mat& image, float gloss = 0, float infrared_return = 0.85F) {
     return {add(image, 1, gloss, 60, infrared_return), PictureArea{}};
   }
-  PictureSet pictures(const Atlas& atlas, float gloss, float infrared_return) {
+  PictureSet pictures(const PictureSheet& atlas, float gloss, float infrared_return) {
     return {add(atlas.image, 1, gloss, 60, infrared_return), atlas};
   }
   Finish emitting(const cv::Mat& image, float emission, float infrared_return) {
@@ -117,4 +117,4 @@ RoomMaterials add_room_materials(World& world, std::uint64_t seed) {
   return materials;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -6,12 +6,12 @@
 #include "simulation/scene/shapes.hpp"
 #include "simulation/scene/world.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// Pictures of one kind in one bitmap, as finishes.
 struct PictureSet {
   int material = 0;
-  Atlas layout;  ///< only its counts and the bitmap's size are used
+  PictureSheet layout;  ///< only its counts and the bitmap's size are used
 
   Finish pick(std::uint32_t index) const { return {material, layout.area(static_cast<int>(index))}; }
 };
@@ -29,4 +29,4 @@ struct RoomMaterials {
 /// Paints all textures and adds them and their materials to `world`. The seed also chooses the colours.
 RoomMaterials add_room_materials(World& world, std::uint64_t seed);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,7 +5,7 @@
 
 #include "simulation/scene/printed_textures.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 void paint_editor(Canvas& c, Random& random, const Paint& ground, bool dark) {
@@ -71,7 +71,7 @@ void paint_curves(Canvas& c, Random& random) {
 
 }  // namespace
 
-Atlas screens(std::uint64_t seed) {
+PictureSheet screens(std::uint64_t seed) {
   Random random(seed);
   Canvas canvas(1024, 512, {0, 0, 0});
   Canvas first(canvas, 0, 0, 0.5, 0.5), second(canvas, 0.5, 0, 0.5, 0.5);
@@ -204,4 +204,4 @@ cv::Mat clock_texture() {
   return c.image();
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
@@ -165,4 +165,4 @@ void ShapeBuilder::sheet(const std::vector<std::vector<Vector3d>>& rows, const F
   mesh_.finish_patch(last_column, last_row, finish.material);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

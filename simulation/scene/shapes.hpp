@@ -9,14 +9,14 @@
 #include "simulation/scene/material.hpp"
 #include "simulation/scene/mesh.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// Part of a bitmap: (u0, v0) top left, (u1, v1) bottom right.
 struct PictureArea {
   float u0 = 0, v0 = 0, u1 = 1, v1 = 1;
 };
 
-/// What a face is covered with: a picture spread over the face, or else a tiling material laid by the metre.
+/// Surface of a face: a picture spread over it, or else a material tiled at its real size.
 struct Finish {
   int material = 0;
   std::optional<PictureArea> picture;
@@ -32,7 +32,7 @@ class ShapeBuilder {
   ShapeBuilder(Mesh& mesh, const std::vector<Material>& materials, std::uint64_t seed)
       : mesh_(mesh), materials_(materials), random_(seed) {}
 
-  /// Where the shapes that follow are put.
+  /// Pose of the shapes that follow.
   Pose world_from_local;
 
   /// A parallelogram; outside is along s_edge x t_edge. A picture's left is at s = 0, its lower side at t =
@@ -43,7 +43,7 @@ class ShapeBuilder {
   void box(const Eigen::Vector3d& base, const Eigen::Vector3d& size, const BoxFinish& finish);
   void box(const Eigen::Vector3d& base, const Eigen::Vector3d& size, const Finish& finish);
   /// A surface of revolution about the z axis through `base`; `profile` = (radius, height) from its lower or
-  /// outer end, so that outside is on the right of the way along the profile seen with z up. Creases sharper
+  /// outer end, so that outside is on the right when going along the profile with z up. Creases of more
   /// than 40 degrees stay sharp.
   void revolve(const Eigen::Vector3d& base, const std::vector<Eigen::Vector2d>& profile, int segments,
                const Finish& finish);
@@ -71,4 +71,4 @@ class ShapeBuilder {
 /// Rotation about the vertical, then a shift.
 Pose placed(double x, double y, double z, double yaw_radians = 0);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

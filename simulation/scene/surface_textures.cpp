@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 
 cv::Mat wood_texture(const Paint& colour, int boards, std::uint64_t seed) {
   constexpr int kSide = 512;
@@ -237,4 +237,4 @@ cv::Mat cork_texture(std::uint64_t seed) {
   return canvas.image();
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -2,7 +2,7 @@
 
 #include "simulation/scene/canvas.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 // What walls, floors and furniture are made of. Every bitmap has sides that are powers of two and tiles, and
 // is the same for the same arguments.
@@ -29,4 +29,4 @@ cv::Mat plain_texture(const Paint& colour, std::uint64_t seed);
 cv::Mat leaf_texture(std::uint64_t seed);
 cv::Mat cork_texture(std::uint64_t seed);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -7,7 +7,7 @@
 
 #include "simulation/light/float4.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr float kFullCode = 255.0F;
@@ -103,4 +103,4 @@ Rgb Texture::sample(float u, float v, float texels) const {
 
 Rgb Texture::mean() const { return to_rgb(decode(levels_.back().texels[0])); }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

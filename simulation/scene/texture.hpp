@@ -6,7 +6,7 @@
 
 #include "simulation/scene/colour.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// A bitmap that repeats in both directions, with its mip-map pyramid (Williams 1983). Texels are kept as
 /// square roots of linear light, 8 bits each: as fine in the dark as sRGB, and cheap to turn back.
@@ -33,4 +33,4 @@ class Texture {
   std::vector<Level> levels_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -6,7 +6,7 @@
 
 #include "simulation/scene/surface_textures.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 TEST(Texture, KeepsColoursAndFiltersThem) {
@@ -48,4 +48,4 @@ TEST(FractalNoise, TilesWithoutASeam) {
 }
 
 }  // namespace
-}  // namespace stdc
+}  // namespace stdc::simulation

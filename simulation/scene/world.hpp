@@ -7,15 +7,15 @@
 #include "simulation/scene/mesh.hpp"
 #include "simulation/scene/texture.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// A parallelogram that gives light to the side of s_edge x t_edge [m].
+/// A parallelogram that emits light to the side of s_edge x t_edge [m].
 struct AreaLight {
   Eigen::Vector3f corner, s_edge, t_edge;
-  Rgb radiance;  ///< a white surface facing a sky of radiance 1 all round shows colour 1
+  Rgb radiance;  ///< a white surface under a uniform sky of radiance 1 has colour 1
 };
 
-/// What stands still: everything the camera can see except people and things that are moved. World frame:
+/// The static scene: all that the camera can see except people and the objects they move. World frame:
 /// metres, z up, floor at z = 0.
 struct World {
   std::vector<Texture> textures;
@@ -26,4 +26,4 @@ struct World {
                   high = Eigen::Vector3f::Zero();  ///< inner corners of the room
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -6,7 +6,7 @@
 #include "core/random.hpp"
 #include "simulation/scene/colour.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr int kSteps = 8192;                             // of the light table
@@ -55,4 +55,4 @@ cv::Mat ColourSensor::image(const cv::Mat& linear, float exposure, std::uint64_t
   return result;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,17 +4,17 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Turns light into the 8-bit image of a colour camera: exposure, vignetting, shot and read noise (Healey and
+/// Model of a colour camera: linear light to 8 bits by exposure, vignetting, shot and read noise (Healey and
 /// Kondepudy 1994), the sRGB curve and clipping.
 class ColourSensor {
  public:
   ColourSensor();
 
   /// @param linear    CV_32FC3, linear red green blue
-  /// @param exposure  multiplies the light
-  /// @param seed      of the noise; each frame wants its own
+  /// @param exposure  gain on the light
+  /// @param seed      of the noise; use another for each frame
   /// @return CV_8UC3, blue green red
   cv::Mat image(const cv::Mat& linear, float exposure, std::uint64_t seed) const;
 
@@ -24,4 +24,4 @@ class ColourSensor {
   std::vector<float> normal_;  ///< a table of standard normal values in random order
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

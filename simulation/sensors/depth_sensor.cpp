@@ -6,21 +6,21 @@
 
 #include "core/random.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr float kBaseline = 0.075F;     // between the projector and the infrared camera [m]
 constexpr float kFocal = 580.0F;        // of the infrared camera [px]
 constexpr float kStepsPerPixel = 8.0F;  // of disparity
-constexpr float kNearest = 0.5F, kSurest = 4.2F, kFarthest = 6.0F;  // [m]
-constexpr float kNoise = 0.45F;                                     // of the disparity, in steps
-constexpr float kOutline = 0.6F;                                    // jitter of where a pixel looks [px]
-constexpr float kWeakest = 0.08F;  // less infrared than this is never seen ...
-constexpr float kWeak = 0.2F;      // ... and about this much half of the time
-constexpr int kCell = 4;           // the matcher's window makes noise alike over so many pixels
+constexpr float kMinDepth = 0.5F, kReliableDepth = 4.2F, kMaxDepth = 6.0F;  // [m]
+constexpr float kNoise = 0.45F;                                             // of the disparity, in steps
+constexpr float kOutline = 0.6F;         // jitter of the pixel position [px]
+constexpr float kMinInfrared = 0.08F;    // less infrared than this is never measured ...
+constexpr float kMedianInfrared = 0.2F;  // ... and about this much half of the time
+constexpr int kCell = 4;                 // correlation length of the noise, from the matcher's window [px]
 
-/// Noise that is alike in neighbouring pixels, as the block matcher of the sensor makes it: one normal value
-/// per cell corner, blended between.
+/// Noise that is correlated between neighbouring pixels, as from the sensor's block matcher: one normal value
+/// per cell corner, bilinear between.
 class CellNoise {
  public:
   CellNoise(int width, int height, std::uint64_t seed, std::uint64_t stream)
@@ -50,8 +50,8 @@ class CellNoise {
 }  // namespace
 
 cv::Mat DepthSensor::lit_by_projector(const cv::Mat& depth) const {
-  // The projector stands to the right of the camera: along a row from the right, what projects no farther
-  // left than something before it lies in that thing's shadow.
+  // The projector stands to the right of the camera: along a row from the right, a point that projects no
+  // farther left than an earlier one lies in its shadow.
   cv::Mat lit(depth.size(), CV_8UC1);
   const auto shift = static_cast<float>(camera_.fx) * kBaseline;
   for (int y = 0; y < depth.rows; ++y) {
@@ -87,11 +87,11 @@ cv::Mat DepthSensor::image(const cv::Mat& depth, const cv::Mat& infrared, std::u
       const int sy =
           std::clamp(static_cast<int>(std::lround(y + kOutline * shift_y.at(x, y))), 0, height - 1);
       const float z = depth.at<float>(sy, sx);
-      if (lit.at<std::uint8_t>(sy, sx) == 0 || z < kNearest || z > kFarthest) continue;
-      // The chance to be seen falls with distance, dark material and grazing angle; losses come in patches.
-      const float reach = 1 - std::max(0.0F, (z - kSurest) / (kFarthest - kSurest));
+      if (lit.at<std::uint8_t>(sy, sx) == 0 || z < kMinDepth || z > kMaxDepth) continue;
+      // The return falls with distance, dark material and grazing angle; holes come in patches.
+      const float reach = 1 - std::max(0.0F, (z - kReliableDepth) / (kMaxDepth - kReliableDepth));
       const float seen = infrared.at<float>(sy, sx) * reach;
-      if (seen < std::max(kWeakest, kWeak + 0.17F * fading.at(x, y))) continue;
+      if (seen < std::max(kMinInfrared, kMedianInfrared + 0.17F * fading.at(x, y))) continue;
       const float steps = std::round(kDisparity / z + kNoise * disparity_noise.at(x, y));
       if (steps <= 0) continue;
       out[x] = static_cast<std::uint16_t>(std::clamp(units * kDisparity / steps + 0.5F, 0.0F, 65535.0F));
@@ -100,4 +100,4 @@ cv::Mat DepthSensor::image(const cv::Mat& depth, const cv::Mat& infrared, std::u
   return result;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -5,19 +5,18 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "simulation/scene/motion_curves.hpp"
 #include "simulation/scene/room.hpp"
-#include "simulation/sequence/motion_curves.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3d;
-using motion::wave;
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kStart = 1.5;    // the hand comes up to speed in this time [s]
-constexpr double kAxisTurn = 15;  // each axis has its turn once in this time (xyz, rpy) [s]
+constexpr double kStart = 1.5;      // time to reach full speed [s]
+constexpr double kAxisPeriod = 15;  // in this time each axis dominates once (xyz, rpy) [s]
 
 const Vector3d kStand(0, -2.05, 1.42), kGaze(0, 0.9, 0.78);  // of the motions before the desks
 
@@ -29,17 +28,17 @@ double eased(double time) {
   return kStart * x * x * x * (1 - 0.5 * x);
 }
 
-/// How much axis 0, 1 or 2 moves now: the axes take turns, softly.
-double turn_of_axis(double time, int axis) {
-  const double c = std::cos(std::numbers::pi * (time / kAxisTurn - axis / 3.0));
+/// Weight of the motion of axis 0, 1 or 2: one after the other dominates.
+double axis_weight(double time, int axis) {
+  const double c = std::cos(std::numbers::pi * (time / kAxisPeriod - axis / 3.0));
   return 0.2 + 0.8 * c * c;
 }
 
-Pose turned(const Pose& pose, double yaw, double pitch, double roll) {
-  const Eigen::Quaterniond turn = Eigen::AngleAxisd(yaw, Vector3d::UnitY()) *
-                                  Eigen::AngleAxisd(pitch, Vector3d::UnitX()) *
-                                  Eigen::AngleAxisd(roll, Vector3d::UnitZ());
-  return {pose.rotation * turn, pose.translation};
+Pose rotated(const Pose& pose, double yaw, double pitch, double roll) {
+  const Eigen::Quaterniond rotation = Eigen::AngleAxisd(yaw, Vector3d::UnitY()) *
+                                      Eigen::AngleAxisd(pitch, Vector3d::UnitX()) *
+                                      Eigen::AngleAxisd(roll, Vector3d::UnitZ());
+  return {pose.rotation * rotation, pose.translation};
 }
 
 Pose along_desk(double t) {
@@ -48,7 +47,7 @@ Pose along_desk(double t) {
   const Vector3d eye(0.85 * wave(t, 19, -0.35) + 0.12 * wave(t, 5.3),
                      -0.5 + 0.2 * wave(t, 8.1) - 0.1 * wave(t, 13, 2),
                      1.44 + 0.1 * wave(t, 6.7) + 0.05 * wave(t, 10.9, 1));
-  return turned(look_at(eye, target), 0, 0, 6 * kDegree * wave(t, 8.7));
+  return rotated(look_at(eye, target), 0, 0, 6 * kDegree * wave(t, 8.7));
 }
 
 Pose room_loop(double time) {
@@ -61,46 +60,47 @@ Pose room_loop(double time) {
   const Vector3d eye(2.15 * std::cos(angle),
                      middle + (RoomPlan::kIslandNorth + 0.55 - middle) * std::sin(angle),
                      1.45 + 0.1 * std::sin(kTwoPi * 3 * round));
-  // Looks forward and outward, now more the one, now more the other.
+  // Looks forward and outward, in varying proportion.
   const double gaze = angle + (42 + 26 * std::sin(kTwoPi * 5 * round)) * kDegree;
   const double pitch = (-13 + 8 * std::sin(kTwoPi * 4 * round)) * kDegree;
   const Vector3d direction(std::cos(gaze), std::sin(gaze), std::tan(pitch));
-  return turned(look_at(eye, eye + direction), 0, 0, 3 * kDegree * std::sin(kTwoPi * 6 * round));
+  return rotated(look_at(eye, eye + direction), 0, 0, 3 * kDegree * std::sin(kTwoPi * 6 * round));
 }
 
 Pose axis_by_axis(double t) {
-  const Vector3d offset(0.42 * wave(t, 5.2) * turn_of_axis(t, 0), 0.3 * wave(t, 4.7) * turn_of_axis(t, 1),
-                        0.32 * wave(t, 4.3) * turn_of_axis(t, 2));
+  const Vector3d offset(0.42 * wave(t, 5.2) * axis_weight(t, 0), 0.3 * wave(t, 4.7) * axis_weight(t, 1),
+                        0.32 * wave(t, 4.3) * axis_weight(t, 2));
   const Pose still = look_at(kStand, kGaze);
   Pose moved(still.rotation, still.translation + Vector3d(offset.x(), -offset.y(), offset.z()));
-  return turned(moved, 3 * kDegree * wave(t, 3.9), 2.5 * kDegree * wave(t, 4.4, 1),
-                2 * kDegree * wave(t, 5.1));
+  return rotated(moved, 3 * kDegree * wave(t, 3.9), 2.5 * kDegree * wave(t, 4.4, 1),
+                 2 * kDegree * wave(t, 5.1));
 }
 
-/// From the back of the room, following with the eyes what goes on before the desks.
+/// From the back of the room, watching the area before the desks.
 Pose watching(double t) {
   const Vector3d eye(0.5 * wave(t, 9.7) + 0.1 * wave(t, 4.1),
                      -2.55 + 0.16 * wave(t, 7.9, 1) - 0.16 * std::sin(1.0), 1.46 + 0.14 * wave(t, 6.1));
   const Vector3d gaze(0.35 * wave(t, 12.3, 0.6) - 0.35 * std::sin(0.6) - 0.25, 0.6,
                       0.88 + 0.08 * wave(t, 8.3));
-  return turned(look_at(eye, gaze), 0, 0, 3 * kDegree * wave(t, 5.7));
+  return rotated(look_at(eye, gaze), 0, 0, 3 * kDegree * wave(t, 5.7));
 }
 
 Pose half_sphere(double t) {
-  const double tilt = 75 * kDegree * (0.5 - 0.5 * std::cos(kTwoPi * t / 8.5)), turn = kTwoPi * t / 21 + 0.4;
+  const double tilt = 75 * kDegree * (0.5 - 0.5 * std::cos(kTwoPi * t / 8.5)),
+               azimuth = kTwoPi * t / 21 + 0.4;
   constexpr double kRadius = 0.5;
-  const Vector3d offset(kRadius * std::sin(tilt) * std::cos(turn), 0.3 - kRadius * std::cos(tilt) * 0.6,
-                        0.8 * kRadius * std::sin(tilt) * std::sin(turn));
-  return turned(look_at(kStand + offset, kGaze), 2 * kDegree * wave(t, 3.7), 2 * kDegree * wave(t, 4.9),
-                3 * kDegree * wave(t, 6.1));
+  const Vector3d offset(kRadius * std::sin(tilt) * std::cos(azimuth), 0.3 - kRadius * std::cos(tilt) * 0.6,
+                        0.8 * kRadius * std::sin(tilt) * std::sin(azimuth));
+  return rotated(look_at(kStand + offset, kGaze), 2 * kDegree * wave(t, 3.7), 2 * kDegree * wave(t, 4.9),
+                 3 * kDegree * wave(t, 6.1));
 }
 
 Pose roll_pitch_yaw(double t) {
   const Vector3d sway(0.04 * wave(t, 3.3), 0.03 * wave(t, 4.1, 1), 0.03 * wave(t, 3.7, 2));
   const Pose still = look_at(kStand + sway, kGaze);
-  return turned(still, 24 * kDegree * wave(t, 3.6) * turn_of_axis(t, 0),
-                15 * kDegree * wave(t, 3.1) * turn_of_axis(t, 1),
-                22 * kDegree * wave(t, 3.3) * turn_of_axis(t, 2));
+  return rotated(still, 24 * kDegree * wave(t, 3.6) * axis_weight(t, 0),
+                 15 * kDegree * wave(t, 3.1) * axis_weight(t, 1),
+                 22 * kDegree * wave(t, 3.3) * axis_weight(t, 2));
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ Pose CameraPath::steady(double time) const {
 
 Pose CameraPath::world_from_cam(double time) const {
   Random random(seed_, 21);
-  // The hand trembles and sways: a few sines per axis, the slower the wider.
+  // Hand tremor and sway: a few sines per axis, with larger amplitude at lower frequency.
   double tremor[6];
   for (double& value : tremor) {
     value = 0;
@@ -154,9 +154,9 @@ Pose CameraPath::world_from_cam(double time) const {
     strength = std::min({1.0, eased(t), eased(kLoopSeconds - t)});
   }
   const double metres = 0.006 * strength, radians = 0.4 * kDegree * strength;
-  Pose pose = turned(steady(time), radians * tremor[0], radians * tremor[1], radians * tremor[2]);
+  Pose pose = rotated(steady(time), radians * tremor[0], radians * tremor[1], radians * tremor[2]);
   pose.translation += metres * Vector3d(tremor[3], tremor[4], tremor[5]);
   return pose;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,10 +4,10 @@
 
 #include "core/pose.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// How the hand moves the camera. The last four follow the motions of the TUM RGB-D benchmark (Sturm et al.
-/// 2012): along the axes with the view kept, over a half sphere of 1 m, turning about the axes, and held
+/// 2012): along the axes with fixed orientation, on a half sphere of 1 m, rotating about the axes, and held
 /// still.
 enum class MotionKind { desk, room_loop, watch, xyz, halfsphere, rpy, held };
 
@@ -33,4 +33,4 @@ class CameraPath {
 /// A camera at `eye` that looks at `target` with its x axis level.
 Pose look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target);
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -4,15 +4,16 @@
 #include <opencv2/core.hpp>
 
 #include "simulation/light/ray_renderer.hpp"
+#include "simulation/people/box_script.hpp"
+#include "simulation/people/person_props.hpp"
 #include "simulation/people/walk_planner.hpp"
-#include "simulation/scene/dynamic_scene.hpp"
-#include "simulation/scene/prop_shapes.hpp"
 #include "simulation/scene/room.hpp"
 #include "simulation/sensors/colour_sensor.hpp"
 #include "simulation/sensors/depth_sensor.hpp"
 #include "simulation/sequence/camera_path.hpp"
+#include "simulation/sequence/dynamic_scene.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr double kFirstTimestamp = 1000;   // [s]
@@ -58,8 +59,8 @@ bool has_walkers(Preset preset) {
 }
 
 Person make_person(int number, std::uint64_t seed, Route route) {
-  const PersonLook look = random_look(number, seed);
-  return {look, BodyPlan(look.measures), std::move(route)};
+  const PersonAppearance appearance = random_appearance(number, seed);
+  return {appearance, Skeleton(appearance.measures), std::move(route)};
 }
 
 DynamicScene walkers(const Room& room, const BakedLight& light, std::uint64_t seed) {
@@ -71,18 +72,18 @@ DynamicScene walkers(const Room& room, const BakedLight& light, std::uint64_t se
 }
 
 DynamicScene box_carrier(const Room& room, const BakedLight& light, std::uint64_t seed) {
-  BoxScript play = plan_box_carrier(kPlannedSeconds, seed);
+  BoxScript script = plan_box_carrier(kPlannedSeconds, seed);
   std::vector<Person> people;
-  people.push_back(make_person(0, seed, std::move(play.route)));
+  people.push_back(make_person(0, seed, std::move(script.route)));
   std::vector<Prop> props;
   props.push_back(carried_box(room, people[0].motion));
-  props.push_back(pushed_chair(room, people[0].motion, play.chair_start));
+  props.push_back(pushed_chair(room, people[0].motion, script.chair_start));
   return {room.world, light, std::move(people), std::move(props)};
 }
 
-/// Nobody, if the preset or the settings want nobody.
-std::optional<DynamicScene> make_cast(Preset preset, const RenderSettings& settings, const Room& room,
-                                      const BakedLight& light) {
+/// Empty if the preset or the settings have no people.
+std::optional<DynamicScene> make_dynamic_scene(Preset preset, const RenderSettings& settings,
+                                               const Room& room, const BakedLight& light) {
   if (!settings.with_people) return std::nullopt;
   if (has_walkers(preset)) return walkers(room, light, settings.seed);
   if (preset == Preset::moving_box) return box_carrier(room, light, settings.seed);
@@ -109,10 +110,10 @@ Camera default_render_camera() {
   return camera;
 }
 
-/// Everything a sequence is rendered with.
-class RenderedSequence::Studio {
+/// All that is needed to render a frame.
+class RenderedSequence::Setup {
  public:
-  Studio(Preset chosen, const RenderSettings& chosen_settings)
+  Setup(Preset chosen, const RenderSettings& chosen_settings)
       : preset(chosen),
         settings(chosen_settings),
         camera(checked(settings.camera.value_or(default_render_camera()))),
@@ -121,7 +122,7 @@ class RenderedSequence::Studio {
         scene(room.world.mesh, TreeQuality::good),
         light(room.world, scene),
         shader(room.world, light),
-        cast(make_cast(preset, settings, room, light)),
+        dynamic_scene(make_dynamic_scene(preset, settings, room, light)),
         rays(camera),
         renderer(rays, scene, shader),
         depth_sensor(camera) {}
@@ -133,18 +134,18 @@ class RenderedSequence::Studio {
 
   double time(int index) const { return index / camera.frames_per_second; }
 
-  IdealImage expose_instant(double t) const {
-    const std::unique_ptr<MovingThings> moving = cast ? cast->at(t) : nullptr;
-    return renderer.expose(motion.world_from_cam(t), moving.get());
+  IdealImage render_instant(double t) const {
+    const std::unique_ptr<MovingObjects> moving = dynamic_scene ? dynamic_scene->at(t) : nullptr;
+    return renderer.render(motion.world_from_cam(t), moving.get());
   }
 
-  IdealImage expose(int index) const {
-    IdealImage ideal = expose_instant(time(index));
+  IdealImage render_ideal(int index) const {
+    IdealImage ideal = render_instant(time(index));
     if (!settings.motion_blur) return ideal;
     ideal.colour.setTo(0);
     for (int i = 0; i < kBlurSamples; ++i) {
       const double shift = kBlurSeconds * ((i + 0.5) / kBlurSamples - 0.5);
-      ideal.colour += expose_instant(std::max(0.0, time(index) + shift)).colour * (1.0F / kBlurSamples);
+      ideal.colour += render_instant(std::max(0.0, time(index) + shift)).colour * (1.0F / kBlurSamples);
     }
     return ideal;
   }
@@ -157,7 +158,7 @@ class RenderedSequence::Studio {
   const RayScene scene;
   const BakedLight light;
   const SurfaceShader shader;
-  const std::optional<DynamicScene> cast;
+  const std::optional<DynamicScene> dynamic_scene;
   const RayGrid rays;
   const RayRenderer renderer;
   const ColourSensor colour_sensor;
@@ -165,36 +166,36 @@ class RenderedSequence::Studio {
 };
 
 RenderedSequence::RenderedSequence(Preset preset, const RenderSettings& settings)
-    : studio_(std::make_unique<Studio>(preset, settings)) {}
+    : setup_(std::make_unique<Setup>(preset, settings)) {}
 RenderedSequence::~RenderedSequence() = default;
 RenderedSequence::RenderedSequence(RenderedSequence&&) noexcept = default;
 RenderedSequence& RenderedSequence::operator=(RenderedSequence&&) noexcept = default;
 
-const Camera& RenderedSequence::camera() const { return studio_->camera; }
+const Camera& RenderedSequence::camera() const { return setup_->camera; }
 
-int RenderedSequence::frame_count() const { return frame_count(studio_->preset, studio_->camera); }
+int RenderedSequence::frame_count() const { return frame_count(setup_->preset, setup_->camera); }
 
 int RenderedSequence::frame_count(Preset preset, const Camera& camera) {
   return static_cast<int>(std::lround(seconds_of(preset) * camera.frames_per_second));
 }
 
-double RenderedSequence::timestamp(int index) const { return kFirstTimestamp + studio_->time(index); }
+double RenderedSequence::timestamp(int index) const { return kFirstTimestamp + setup_->time(index); }
 
 Pose RenderedSequence::world_from_cam(int index) const {
-  return studio_->motion.world_from_cam(studio_->time(index));
+  return setup_->motion.world_from_cam(setup_->time(index));
 }
 
 RenderedFrame RenderedSequence::render(int index) const {
   assert(index >= 0);
-  const IdealImage ideal = studio_->expose(index);
-  const std::uint64_t noise = studio_->settings.seed * 1000003ULL + static_cast<std::uint64_t>(index);
+  const IdealImage ideal = setup_->render_ideal(index);
+  const std::uint64_t noise = setup_->settings.seed * 1000003ULL + static_cast<std::uint64_t>(index);
   RenderedFrame frame;
   frame.image.timestamp = timestamp(index);
-  frame.image.colour = studio_->colour_sensor.image(ideal.colour, kExposure, noise);
-  frame.image.depth = studio_->depth_sensor.image(ideal.depth, ideal.infrared, noise);
+  frame.image.colour = setup_->colour_sensor.image(ideal.colour, kExposure, noise);
+  frame.image.depth = setup_->depth_sensor.image(ideal.depth, ideal.infrared, noise);
   frame.mask = ideal.mask;
   frame.world_from_cam = world_from_cam(index);
   return frame;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -12,23 +12,26 @@
 #include "core/rgbd_image.hpp"
 #include "core/setting.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// The sequences that can be rendered. The `walking` ones follow the camera motions of the TUM RGB-D
 /// benchmark (Sturm et al. 2012) with two people who walk, turn, stop and sit between the camera and the
 /// desks.
 enum class Preset {
   static_desk,
-  static_room,  ///< one round through the room that ends where it began
+  static_room,  ///< a loop through the room that ends where it began
   walking_xyz,
   walking_halfsphere,
   walking_rpy,
   walking_static,
-  moving_box,  ///< a person carries a box and puts it down; a chair is pushed
+  moving_box,  ///< a person carries a box, puts it down and pushes a chair
 };
 
+}  // namespace stdc::simulation
+
 template <>
-struct EnumNames<Preset> {
+struct stdc::EnumNames<stdc::simulation::Preset> {
+  using Preset = stdc::simulation::Preset;
   static constexpr std::array values{
       std::pair{Preset::static_desk, "static-desk"},
       std::pair{Preset::static_room, "static-room"},
@@ -40,12 +43,14 @@ struct EnumNames<Preset> {
   };
 };
 
+namespace stdc::simulation {
+
 /// Throws Error listing the presets if there is none of that name.
 Preset preset_named(std::string_view name);
 
 struct RenderSettings {
-  std::uint64_t seed = 1;        ///< of textures, clutter, people, trembling and noise
-  bool with_people = true;       ///< false: the same room and camera motion without anything that moves
+  std::uint64_t seed = 1;        ///< of textures, clutter, people, hand tremor and noise
+  bool with_people = true;       ///< false: the same room and camera motion, all static
   bool motion_blur = false;      ///< expose over 1/60 s instead of an instant
   std::optional<Camera> camera;  ///< default: default_render_camera()
 };
@@ -60,7 +65,7 @@ struct RenderedFrame {
 };
 
 /// A sequence that is rendered frame by frame, in any order. `render` may be called from several threads at
-/// once; a frame is the same bytes whenever, on whatever thread and however often it is rendered.
+/// once; a frame has the same bytes on whatever thread, in whatever order and however often it is rendered.
 class RenderedSequence {
  public:
   /// Throws Error if the camera is not valid.
@@ -70,7 +75,7 @@ class RenderedSequence {
   RenderedSequence& operator=(RenderedSequence&&) noexcept;
 
   const Camera& camera() const;
-  /// How many frames the preset has unless somebody asks for fewer or more; any index >= 0 can be rendered.
+  /// Default length of the preset; any index >= 0 can be rendered.
   int frame_count() const;
   static int frame_count(Preset preset, const Camera& camera);
   double timestamp(int index) const;
@@ -78,8 +83,8 @@ class RenderedSequence {
   RenderedFrame render(int index) const;
 
  private:
-  class Studio;
-  std::unique_ptr<Studio> studio_;
+  class Setup;
+  std::unique_ptr<Setup> setup_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

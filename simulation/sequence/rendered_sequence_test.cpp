@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
@@ -152,4 +152,4 @@ TEST(RenderedSequence, HasPlainFactsWithoutRendering) {
 }
 
 }  // namespace
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ void SequenceWriter::finish() {
   finished_ = true;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

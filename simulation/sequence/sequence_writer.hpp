@@ -6,12 +6,12 @@
 
 #include "simulation/sequence/rendered_sequence.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// Writes rendered frames as a folder in TUM RGB-D layout: rgb/, depth/, rgb.txt, depth.txt, groundtruth.txt,
-/// camera.yaml, and mask/ (255 = dynamic; a mask has the name of its colour image). Everything goes to a
-/// folder beside the wanted one first, which takes its name only when all is written: there is never half a
-/// sequence.
+/// camera.yaml, and mask/ (255 = dynamic; a mask has the name of its colour image). All files go to a
+/// temporary folder beside the target, which is renamed when all is written: a sequence is never left half
+/// written.
 class SequenceWriter {
  public:
   /// @param overwrite  whether a sequence that is already there may be replaced
@@ -42,4 +42,4 @@ class SequenceWriter {
   bool finished_ = false;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

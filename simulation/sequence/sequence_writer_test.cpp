@@ -8,7 +8,7 @@
 
 #include "core/image_codec.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(SequenceWriterTest, ReportsAPlaceThatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace stdc
+}  // namespace stdc::simulation

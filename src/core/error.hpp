@@ -6,12 +6,12 @@
 namespace stdc {
 
 /// The one exception type of the libraries, thrown only at their edges (files, settings, arguments).
-/// `what()` is one line: "<where>: <problem>; <mend>".
+/// `what()` is one line: "<where>: <problem>; <hint>".
 class Error : public std::runtime_error {
  public:
   /// @param where    the file (and line, as "file:12"), setting or argument at fault
   /// @param problem  what is wrong, without a full stop
-  /// @param mend     what the user can do about it, without a full stop
+  /// @param hint     what the user can do about it, without a full stop
   Error(std::string where, std::string problem, std::string hint)
       : std::runtime_error(where + ": " + problem + "; " + hint),
         where_(std::move(where)),

@@ -72,7 +72,7 @@ class BundleSolver {
   }
 
   /// Levenberg-Marquardt (gain ratio: Nielsen 1999). Counts the linear systems solved.
-  void minimise(int iterations, double relative_decrease_to_stop, int* solved) {
+  void minimise(int iterations, double min_relative_decrease, int* solved) {
     double cost = linearise(state_);
     double growth = 4.0;
     for (int i = 0; i < iterations && damping_ <= kMaxDamping; ++i) {
@@ -99,7 +99,7 @@ class BundleSolver {
       if (!accepted) {
         damping_ *= growth;
         growth *= 2.0;
-      } else if (before - cost < relative_decrease_to_stop * before) {
+      } else if (before - cost < min_relative_decrease * before) {
         return;
       }
     }
@@ -158,10 +158,10 @@ BundleResult bundle_adjust(const Camera& camera, BundleProblem& problem, const N
 
   BundleSolver solver(camera, problem, *packed);
   result.initial_cost = solver.linearise(solver.state());
-  solver.minimise(settings.robust_iterations, settings.relative_decrease_to_stop, &result.iterations);
+  solver.minimise(settings.robust_iterations, settings.min_relative_decrease, &result.iterations);
   result.final_cost = solver.classify(kInlier);
   if (settings.final_iterations > 0) {
-    solver.minimise(settings.final_iterations, settings.relative_decrease_to_stop, &result.iterations);
+    solver.minimise(settings.final_iterations, settings.min_relative_decrease, &result.iterations);
     result.final_cost = solver.classify(kInlier);
   }
   if (!solver.stepped() || !std::isfinite(result.initial_cost) || !std::isfinite(result.final_cost)) {

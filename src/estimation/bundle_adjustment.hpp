@@ -6,6 +6,7 @@
 
 #include "core/camera.hpp"
 #include "core/pose.hpp"
+#include "core/setting.hpp"
 #include "estimation/noise_settings.hpp"
 
 namespace stdc {
@@ -29,22 +30,12 @@ struct BundleProblem {
 
 /// Settings of the bundle adjustment.
 struct BundleSettings {
-  int robust_iterations = 5;
-  int final_iterations = 5;
-  double relative_decrease_to_stop = 1e-4;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"robust_iterations", "count",
-                  "Most iterations of the first stage, all observations, Huber kernel", 1, 100},
-          self.robust_iterations);
-    visit(Setting{"final_iterations", "count", "Most iterations of the second stage, outliers set aside", 0,
-                  100},
-          self.final_iterations);
-    visit(Setting{"relative_decrease_to_stop", "ratio",
-                  "A stage ends when the cost falls by less than this share", 0, 0.1},
-          self.relative_decrease_to_stop);
-  }
+  STDC_SETTING(int, robust_iterations, 5, "count", 1, 100,
+               "Max iterations of the first stage, all observations, Huber kernel");
+  STDC_SETTING(int, final_iterations, 5, "count", 0, 100,
+               "Max iterations of the second stage, without outliers");
+  STDC_SETTING(double, min_relative_decrease, 1e-4, "ratio", 0, 0.1,
+               "A stage ends when the cost falls by less than this share");
 };
 
 struct BundleResult {

@@ -12,7 +12,7 @@ BundleSettings to_the_end() {
   BundleSettings settings;
   settings.robust_iterations = 100;
   settings.final_iterations = 0;
-  settings.relative_decrease_to_stop = 0;
+  settings.min_relative_decrease = 0;
   return settings;
 }
 

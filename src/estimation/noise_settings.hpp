@@ -14,21 +14,12 @@ namespace stdc {
 /// sigmas grown with the scale gave poses that were 2 to 4 % worse at sigmas twice the sensor's, and at best
 /// 5 % better for a sensor of 0.0015 /m taken at its word.
 struct NoiseSettings {
-  double pixel_sigma = 0.8;
-  double aligned_pixel_sigma = 0.4;
-  double inverse_depth_sigma = 0.01;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"pixel_sigma", "px", "Noise of a keypoint on pyramid level 0; grows with the level's scale",
-                  0.01, 20},
-          self.pixel_sigma);
-    visit(Setting{"aligned_pixel_sigma", "px", "The same, where its patch was aligned to the landmark's",
-                  0.01, 20},
-          self.aligned_pixel_sigma);
-    visit(Setting{"inverse_depth_sigma", "1/m", "Noise of the inverse depth: sigma_z = this * z^2", 1e-5, 1},
-          self.inverse_depth_sigma);
-  }
+  STDC_SETTING(double, pixel_sigma, 0.8, "px", 0.01, 20,
+               "Noise of a keypoint on pyramid level 0; grows with the level's scale");
+  STDC_SETTING(double, aligned_pixel_sigma, 0.4, "px", 0.01, 20,
+               "The same, where its patch was aligned to the landmark's");
+  STDC_SETTING(double, inverse_depth_sigma, 0.01, "1/m", 1e-5, 1,
+               "Noise of the inverse depth: sigma_z = this * z^2");
 };
 
 }  // namespace stdc

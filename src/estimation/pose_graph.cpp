@@ -67,7 +67,7 @@ class PoseGraphSolver {
         const double there = cost(moved), decrease = result.final_cost - there;
         if (std::isfinite(there) && decrease > 0) {
           poses = std::move(moved);
-          const bool converged = decrease < settings_.relative_decrease_to_stop * result.final_cost;
+          const bool converged = decrease < settings_.min_relative_decrease * result.final_cost;
           result.final_cost = there;
           if (converged) break;
           const double gain = 2.0 * decrease / *expected - 1.0;

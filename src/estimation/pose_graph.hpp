@@ -28,22 +28,11 @@ struct PoseGraph {
 
 /// Settings of the pose-graph optimisation.
 struct PoseGraphSettings {
-  int iterations = 30;
-  double relative_decrease_to_stop = 1e-6;
-  double robust_chi_square = 12.592;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"iterations", "count", "Most iterations of the pose-graph optimisation", 1, 1000},
-          self.iterations);
-    visit(Setting{"relative_decrease_to_stop", "ratio", "It ends when the cost falls by less than this share",
-                  0, 0.1},
-          self.relative_decrease_to_stop);
-    visit(Setting{"robust_chi_square", "",
-                  "Squared error of a robust edge beyond which it counts less (95 % quantile: 12.592)", 0.01,
-                  1e6},
-          self.robust_chi_square);
-  }
+  STDC_SETTING(int, iterations, 30, "count", 1, 1000, "Max iterations of the pose-graph optimisation");
+  STDC_SETTING(double, min_relative_decrease, 1e-6, "ratio", 0, 0.1,
+               "It ends when the cost falls by less than this share");
+  STDC_SETTING(double, robust_chi_square, 12.592, "", 0.01, 1e6,
+               "Squared error of a robust edge beyond which it counts less (95 % quantile: 12.592)");
 };
 
 struct PoseGraphResult {

@@ -91,7 +91,7 @@ TEST(PoseGraph, FindsWhatCeresFinds) {
       edge.robust = random.below(3) == 0;
     }
     test::Loop theirs = ours;
-    const PoseGraphSettings settings{.iterations = 100, .relative_decrease_to_stop = 0};
+    const PoseGraphSettings settings{.iterations = 100, .min_relative_decrease = 0};
     const PoseGraphResult result = optimise_pose_graph(ours.graph, settings);
     const double reference = solve_by_ceres(theirs.graph, settings.robust_chi_square);
     EXPECT_NEAR(result.final_cost, reference, 1e-6 * reference);

@@ -47,7 +47,7 @@ TEST(PoseGraph, ANoisyLoopIsCloserToTheTruthThanBefore) {
 
 TEST(PoseGraph, TheSolutionIsAMinimum) {
   Loop loop = make_loop(30, 3, 0.02);
-  const PoseGraphResult result = optimise_pose_graph(loop.graph, {.relative_decrease_to_stop = 0});
+  const PoseGraphResult result = optimise_pose_graph(loop.graph, {.min_relative_decrease = 0});
   Random random(4);
   for (int n = 0; n < 200; ++n) {
     PoseGraph moved = loop.graph;
@@ -93,7 +93,7 @@ TEST(PoseGraph, DirectionOfAnEdgeDoesNotMatter) {
     edge.information = turn.transpose() * edge.information * turn;
     edge.a_from_b = edge.a_from_b.inverse();
   }
-  const PoseGraphSettings settings{.relative_decrease_to_stop = 0};
+  const PoseGraphSettings settings{.min_relative_decrease = 0};
   const double cost = optimise_pose_graph(forth.graph, settings).final_cost;
   EXPECT_NEAR(optimise_pose_graph(back.graph, settings).final_cost, cost, 1e-6 * cost);
   for (std::size_t k = 0; k < 40; ++k) {

@@ -7,6 +7,7 @@
 
 #include "core/camera.hpp"
 #include "core/pose.hpp"
+#include "core/setting.hpp"
 #include "estimation/noise_settings.hpp"
 
 namespace stdc {
@@ -21,20 +22,11 @@ struct PoseObservation {
 
 /// Settings of the pose-only optimisation.
 struct PoseOptimisationSettings {
-  int rounds = 4;
-  int iterations_per_round = 10;
-  int min_observations = 3;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"rounds", "count", "Rounds of optimisation, outliers being told anew after each", 1, 20},
-          self.rounds);
-    visit(Setting{"iterations_per_round", "count", "Most iterations of a round; it stops when converged", 1,
-                  100},
-          self.iterations_per_round);
-    visit(Setting{"min_observations", "count", "Fewer observations than this give no pose", 3, 100},
-          self.min_observations);
-  }
+  STDC_SETTING(int, rounds, 4, "count", 1, 20,
+               "Rounds of optimisation; outliers are classified anew after each");
+  STDC_SETTING(int, iterations_per_round, 10, "count", 1, 100,
+               "Max iterations of a round; it stops when converged");
+  STDC_SETTING(int, min_observations, 3, "count", 3, 100, "Fewer observations than this give no pose");
 };
 
 /// What is known of a pose beforehand: exp(twist) * cam_from_world with a normally distributed twist.

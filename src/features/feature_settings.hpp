@@ -21,31 +21,17 @@ struct EnumNames<Selection> {
 
 /// Settings of the feature extraction.
 struct FeatureSettings {
-  Selection selection = Selection::improved;
-  int keypoints = 1000;
-  double scale_factor = 1.2;
-  int levels = 0;
-  int threshold_high = 20;
-  int threshold_low = 7;
-  int region_size = 35;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"selection", "", "Keypoint selection: improved (the paper's quadtree) or orb-slam3"},
-          self.selection);
-    visit(Setting{"keypoints", "count", "Keypoints kept per image (N of Eq. 4)", 50, 20000}, self.keypoints);
-    visit(Setting{"scale_factor", "ratio", "Size of a pyramid level over the next (1/s of Eq. 3)", 1.05, 2.0},
-          self.scale_factor);
-    visit(Setting{"levels", "count", "Pyramid levels; 0: Eq. 2 (improved) or 8 (orb-slam3)", 0, 16},
-          self.levels);
-    visit(Setting{"threshold_high", "grey levels", "FAST threshold T_H of high-quality candidates", 1, 255},
-          self.threshold_high);
-    visit(Setting{"threshold_low", "grey levels", "FAST threshold T_L, used where the budget is not met", 1,
-                  255},
-          self.threshold_low);
-    visit(Setting{"region_size", "px", "Side of the square regions A_j of Alg. 2", 16, 256},
-          self.region_size);
-  }
+  STDC_SETTING(Selection, selection, Selection::improved,
+               "Keypoint selection: improved (the paper's quadtree) or orb-slam3");
+  STDC_SETTING(int, keypoints, 1000, "count", 50, 20000, "Keypoints kept per image (N of Eq. 4)");
+  STDC_SETTING(double, scale_factor, 1.2, "ratio", 1.05, 2.0,
+               "Size of a pyramid level over the next (1/s of Eq. 3)");
+  STDC_SETTING(int, levels, 0, "count", 0, 16, "Pyramid levels; 0: Eq. 2 (improved) or 8 (orb-slam3)");
+  STDC_SETTING(int, threshold_high, 20, "grey levels", 1, 255,
+               "FAST threshold T_H of high-quality candidates");
+  STDC_SETTING(int, threshold_low, 7, "grey levels", 1, 255,
+               "FAST threshold T_L, used where the budget is not met");
+  STDC_SETTING(int, region_size, 35, "px", 16, 256, "Side of the square regions A_j of Alg. 2");
   /// Throws Error naming the setting at fault.
   void validate() const;
 };

@@ -24,11 +24,11 @@ Matrix6d information_of(int shared) {
 }
 
 /// All links of a keyframe to older ones.
-std::vector<KeyframeId> links_of(const Keyframe& keyframe, int strong_link) {
+std::vector<KeyframeId> links_of(const Keyframe& keyframe, int min_covisibility) {
   std::vector<KeyframeId> links;
   if (keyframe.parent.valid()) links.push_back(keyframe.parent);
   for (const Covisible& c : keyframe.covisible) {
-    if (c.shared >= strong_link && c.keyframe < keyframe.id) links.push_back(c.keyframe);
+    if (c.shared >= min_covisibility && c.keyframe < keyframe.id) links.push_back(c.keyframe);
   }
   for (const KeyframeId other : keyframe.loops) {
     if (other < keyframe.id) links.push_back(other);
@@ -78,7 +78,7 @@ PoseGraphResult optimise_essential_graph(Atlas& atlas, MapId map, const LoopEnds
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
   for (const KeyframeId id : builder.keyframes()) {
-    for (const KeyframeId older : links_of(atlas.keyframe(id), settings.strong_link)) {
+    for (const KeyframeId older : links_of(atlas.keyframe(id), settings.min_covisibility)) {
       if (std::binary_search(links.begin(), links.end(), ordered(older, id))) continue;
       builder.add(id, older, ends.before[id.value], ends.before[older.value]);
     }

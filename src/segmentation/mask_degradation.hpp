@@ -10,25 +10,12 @@ namespace stdc {
 
 /// How to spoil masks, to see what is robust against masks as a network gives them.
 struct MaskDegradationSettings {
-  int erosion = 0;
-  int holes = 0;
-  int hole_radius = 15;
-  int missing_every = 0;
-  int delay = 0;
-  int seed = 1;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"erosion", "px", "Taken off the mask's border all round", 0, 100}, self.erosion);
-    visit(Setting{"holes", "count", "Round holes made in each mask", 0, 1000}, self.holes);
-    visit(Setting{"hole_radius", "px", "Largest radius of a hole; the smallest is half of it", 1, 200},
-          self.hole_radius);
-    visit(Setting{"missing_every", "frames", "One mask in so many is missing; 0: none", 0, 1000},
-          self.missing_every);
-    visit(Setting{"delay", "frames", "A frame is given the mask of so many frames before", 0, 30},
-          self.delay);
-    visit(Setting{"seed", "", "Of the holes", 0, 1000000000}, self.seed);
-  }
+  STDC_SETTING(int, erosion, 0, "px", 0, 100, "Width removed all round the mask's border");
+  STDC_SETTING(int, holes, 0, "count", 0, 1000, "Round holes made in each mask");
+  STDC_SETTING(int, hole_radius, 15, "px", 1, 200, "Max radius of a hole; the min is half of it");
+  STDC_SETTING(int, missing_every, 0, "frames", 0, 1000, "One mask in this many is missing; 0: none");
+  STDC_SETTING(int, delay, 0, "frames", 0, 30, "A frame gets the mask of this many frames before");
+  STDC_SETTING(int, seed, 1, "", 0, 1000000000, "Seed of the random holes");
   bool any() const { return erosion > 0 || holes > 0 || missing_every > 0 || delay > 0; }
 };
 

@@ -35,27 +35,16 @@ struct EnumNames<SegmentationPace> {
 
 /// Settings of the semantic thread.
 struct SegmentationSettings {
-  SegmentationSource source = SegmentationSource::network;
-  SegmentationPace pace = SegmentationPace::every_frame;
-  int latency = 3;
-  bool propagation = true;
-  bool settling = false;
-  bool refinement = true;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"source", "", "Where the masks of dynamic pixels come from"}, self.source);
-    visit(Setting{"pace", "", "Wait for every frame's own mask, or carry the newest one to the frame"},
-          self.pace);
-    visit(Setting{"latency", "frames", "Asynchronous: a frame's mask is taken in after this many frames", 1,
-                  30},
-          self.latency);
-    visit(Setting{"propagation", "", "Move a mask of an earlier frame with what it covers"},
-          self.propagation);
-    visit(Setting{"settling", "", "Before refinement, take off the mask's rim what depth says is background"},
-          self.settling);
-    visit(Setting{"refinement", "", "Complete masks by depth (SRM, Alg. 1)"}, self.refinement);
-  }
+  STDC_SETTING(SegmentationSource, source, SegmentationSource::network,
+               "Where the masks of dynamic pixels come from");
+  STDC_SETTING(SegmentationPace, pace, SegmentationPace::every_frame,
+               "Wait for each frame's own mask, or propagate the newest one to the frame");
+  STDC_SETTING(int, latency, 3, "frames", 1, 30,
+               "Asynchronous: a frame's mask is used this many frames later");
+  STDC_SETTING(bool, propagation, true, "Move a mask of an earlier frame along with the objects it covers");
+  STDC_SETTING(bool, border_trimming, false,
+               "Before refinement, remove background pixels at the mask's border by depth");
+  STDC_SETTING(bool, refinement, true, "Complete masks by depth (SRM, Alg. 1)");
 };
 
 }  // namespace stdc

@@ -21,13 +21,13 @@ double overlap(const cv::Mat& a, const cv::Mat& b) {
 class RenderedMasks : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const RenderedSequence sequence(Preset::walking_rpy, {});
+    const simulation::RenderedSequence sequence(simulation::Preset::walking_rpy, {});
     camera() = sequence.camera();
     for (int i = 0; i < 4; ++i) frames().push_back(sequence.render(84 + i));
   }
   static void TearDownTestSuite() { frames().clear(); }
-  static std::vector<RenderedFrame>& frames() {
-    static std::vector<RenderedFrame> all;
+  static std::vector<simulation::RenderedFrame>& frames() {
+    static std::vector<simulation::RenderedFrame> all;
     return all;
   }
   static Camera& camera() {
@@ -38,7 +38,7 @@ class RenderedMasks : public testing::Test {
 };
 
 TEST_F(RenderedMasks, RefinementEqualsItsDefinition) {
-  const RenderedFrame& frame = frames()[0];
+  const simulation::RenderedFrame& frame = frames()[0];
   ASSERT_GT(cv::countNonZero(frame.mask), 20000);
   cv::Mat eroded;
   cv::erode(frame.mask, eroded, cv::Mat(), {-1, -1}, 6);
@@ -49,7 +49,7 @@ TEST_F(RenderedMasks, RefinementEqualsItsDefinition) {
 }
 
 TEST_F(RenderedMasks, RefinementCompletesASettledMask) {
-  const RenderedFrame& frame = frames()[0];
+  const simulation::RenderedFrame& frame = frames()[0];
   cv::Mat eroded;
   cv::erode(frame.mask, eroded, cv::Mat(), {-1, -1}, 6);
   const cv::Mat settled = settle_by_depth(eroded, frame.image.depth, units());
@@ -62,7 +62,7 @@ TEST_F(RenderedMasks, PropagationFollowsThePeople) {
   MaskPropagator propagator(camera());
   cv::Mat grey, carried;
   for (int i = 0; i < static_cast<int>(frames().size()); ++i) {
-    const RenderedFrame& frame = frames()[static_cast<std::size_t>(i)];
+    const simulation::RenderedFrame& frame = frames()[static_cast<std::size_t>(i)];
     cv::cvtColor(frame.image.colour, grey, cv::COLOR_BGR2GRAY);
     propagator.add_frame(i, grey, frame.image.depth);
     if (i == 0) propagator.set_mask(0, frame.mask);

@@ -5,7 +5,7 @@
 namespace stdc {
 
 void Settings::validate() const {
-  describe(*this, [](const char* section, const auto& settings) { check_ranges(section, settings); });
+  for_each_section(*this, [](const char* section, const auto& settings) { check_ranges(section, settings); });
   features.validate();
   refinement.validate();
 }

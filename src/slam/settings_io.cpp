@@ -1,14 +1,17 @@
 #include "slam/settings_io.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "slam/renamed_settings.hpp"
 
 namespace stdc {
 namespace {
@@ -55,8 +58,8 @@ std::string format_value(double value) { return fmt::format("{}", value); }
 std::string format_value(EnumSetting auto value) { return std::string(enum_name(value)); }
 
 std::string format_range(const Setting&, bool) { return "true|false"; }
-std::string format_range(const Setting& s, int) { return fmt::format("{}..{}", s.minimum, s.maximum); }
-std::string format_range(const Setting& s, double) { return fmt::format("{}..{}", s.minimum, s.maximum); }
+std::string format_range(const Setting& s, int) { return fmt::format("{}..{}", s.min, s.max); }
+std::string format_range(const Setting& s, double) { return fmt::format("{}..{}", s.min, s.max); }
 std::string format_range(const Setting&, EnumSetting auto value) { return enum_words(value); }
 
 /// Levenshtein distance, to name the setting that was probably meant.
@@ -76,13 +79,17 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 [[noreturn]] void throw_unknown(const std::string& where, const std::string& key, const Settings& settings) {
+  if (const RenamedSetting* renamed = find_renamed_setting(key)) {
+    throw Error(where, fmt::format("setting '{}' is now called '{}'", key, renamed->now),
+                "use the new name; its meaning and values are the same");
+  }
   std::string nearest;
-  std::size_t least = std::string::npos;
+  std::size_t min_distance = std::string::npos;
   for (const SettingText& setting : list_settings(settings)) {
     const std::string known = setting.section + "." + setting.name;
     const std::size_t distance = edit_distance(key, known);
-    if (distance < least) {
-      least = distance;
+    if (distance < min_distance) {
+      min_distance = distance;
       nearest = known;
     }
   }
@@ -94,9 +101,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 void assign(const std::string& section, const std::string& key, const std::string& text,
             const std::string& where, Settings& settings) {
   bool found = false;
-  Settings::describe(settings, [&](const char* section_name, auto& part) {
+  for_each_section(settings, [&](const char* section_name, auto& part) {
     if (section != section_name) return;
-    std::decay_t<decltype(part)>::describe(part, [&](const Setting& s, auto& value) {
+    for_each_setting(part, [&](const Setting& s, auto& value) {
       if (key != s.name) return;
       found = true;
       auto parsed = value;
@@ -115,6 +122,10 @@ void assign(const std::string& section, const std::string& key, const std::strin
   if (!found) throw_unknown(where, section + "." + key, settings);
 }
 
+[[noreturn]] void throw_twice(const std::string& where, const std::string& what) {
+  throw Error(where, fmt::format("'{}' is given twice", what), "keep one of them");
+}
+
 std::string line_of(const std::string& name, const YAML::Mark& mark) {
   return mark.is_null() ? name : fmt::format("{}:{}", name, mark.line + 1);
 }
@@ -125,13 +136,16 @@ void apply_section(const std::string& section, const YAML::Node& node, const std
     throw Error(line_of(name, node.Mark()), fmt::format("section '{}' holds no 'key: value' lines", section),
                 "indent its settings below it");
   }
+  std::set<std::string> seen;
   for (const auto& entry : node) {
     const std::string where = line_of(name, entry.first.Mark());
     if (!entry.first.IsScalar() || !entry.second.IsScalar()) {
       throw Error(where, fmt::format("a setting of '{}' is not of the form 'key: value'", section),
                   "give one plain value");
     }
-    assign(section, entry.first.Scalar(), entry.second.Scalar(), where, settings);
+    const std::string key = entry.first.Scalar();
+    if (!seen.insert(key).second) throw_twice(where, section + "." + key);
+    assign(section, key, entry.second.Scalar(), where, settings);
   }
 }
 
@@ -143,14 +157,15 @@ void parse_settings(const std::string& yaml, const std::string& name, Settings& 
     const YAML::Node root = YAML::Load(yaml);
     if (root.IsNull()) return;
     if (!root.IsMap()) throw Error(name, "not a YAML file of sections", "see 'stdc-slam settings --yaml'");
+    std::set<std::string> seen;
     for (const auto& entry : root) {
       const std::string where = line_of(name, entry.first.Mark());
       if (!entry.first.IsScalar())
         throw Error(where, "a section's name is not a word", "give it a plain name");
       const std::string section = entry.first.Scalar();
-      bool known = false;
-      Settings::describe(result,
-                         [&](const char* candidate, auto&) { known = known || section == candidate; });
+      if (!seen.insert(section).second) throw_twice(where, section);
+      bool known = is_renamed_section(section);
+      for_each_section(result, [&](const char* candidate, auto&) { known = known || section == candidate; });
       if (!known) throw_unknown(where, section, settings);
       apply_section(section, entry.second, name, result);
     }
@@ -185,8 +200,8 @@ void apply_setting(const std::string& assignment, Settings& settings) {
 
 std::vector<SettingText> list_settings(const Settings& settings) {
   std::vector<SettingText> list;
-  Settings::describe(settings, [&](const char* section, const auto& part) {
-    std::decay_t<decltype(part)>::describe(part, [&](const Setting& s, const auto& value) {
+  for_each_section(settings, [&](const char* section, const auto& part) {
+    for_each_setting(part, [&](const Setting& s, const auto& value) {
       list.push_back({section, s.name, format_value(value), s.unit, s.description, format_range(s, value)});
     });
   });

@@ -43,6 +43,12 @@ TEST(SettingsIo, RefusesWrongValues) {
   EXPECT_NE(error_of("features: [1, 2]").find("key: value"), std::string::npos);
   EXPECT_NE(error_of("features: {keypoints: 700").find("not valid YAML"), std::string::npos);
   EXPECT_NE(error_of("- 1\n- 2\n").find("not a YAML file of sections"), std::string::npos);
+  EXPECT_NE(
+      error_of("features: {keypoints: 700, keypoints: 800}").find("'features.keypoints' is given twice"),
+      std::string::npos);
+  EXPECT_NE(
+      error_of("noise: {pixel_sigma: 1}\nnoise: {pixel_sigma: 2}").find("s.yaml:2: 'noise' is given twice"),
+      std::string::npos);
   EXPECT_EQ(error_of(""), "");
 }
 

@@ -12,28 +12,28 @@ namespace stdc::test {
 /// Small frames, rendered once for all tests.
 struct Footage {
   Camera camera;
-  std::vector<RenderedFrame> frames;
+  std::vector<simulation::RenderedFrame> frames;
 
   /// A hundred frames, 1/30 s apart.
   static const Footage& of_a_desk() {
-    static const Footage footage(Preset::static_desk, 0, 1, 100);  // rendering takes seconds
+    static const Footage footage(simulation::Preset::static_desk, 0, 1, 100);  // rendering takes seconds
     return footage;
   }
   /// A walk through a quarter of a room: 120 frames, 1/15 s apart.
   static const Footage& of_a_room() {
-    static const Footage footage(Preset::static_room, 250, 2, 120);
+    static const Footage footage(simulation::Preset::static_room, 250, 2, 120);
     return footage;
   }
 
  private:
-  Footage(Preset preset, int first, int step, int count) {
-    camera = default_render_camera();
+  Footage(simulation::Preset preset, int first, int step, int count) {
+    camera = simulation::default_render_camera();
     camera.width = 320;
     camera.height = 240;
     for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *value *= 0.5;
-    RenderSettings settings;
+    simulation::RenderSettings settings;
     settings.camera = camera;
-    const RenderedSequence sequence(preset, settings);
+    const simulation::RenderedSequence sequence(preset, settings);
     frames.resize(count);
     std::vector<std::thread> threads;
     threads.reserve(2);

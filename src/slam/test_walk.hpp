@@ -22,7 +22,7 @@ class Walk {
 
   TrackingResult see(
       int place, const Change& change = [](RgbdImage&) {}) {
-    const RenderedFrame& frame = Footage::of_a_room().frames[place];
+    const simulation::RenderedFrame& frame = Footage::of_a_room().frames[place];
     RgbdImage image{time, frame.image.colour.clone(), frame.image.depth.clone()};
     time += kStep;
     change(image);

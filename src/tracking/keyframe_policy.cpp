@@ -41,7 +41,7 @@ double parallax_ratio(const TrackedFrame& frame, const LocalMap& local_map) {
 bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const LocalMap& local_map,
                     int frames_since, int keyframes, const TrackingSettings& settings) {
   const CloseCounts close = count_close(frame, settings.close_depth);
-  if (close.tracked < settings.close_tracked_low && close.untracked > settings.close_untracked_high)
+  if (close.tracked < settings.min_close_tracked && close.untracked > settings.min_close_untracked)
     return true;
   // With few keyframes no landmark can have been seen by three yet.
   const bool young = keyframes < 3;

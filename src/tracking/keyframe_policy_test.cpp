@@ -23,8 +23,8 @@ struct Settled {
     local = make_local_map(mapped.atlas, mapped.atlas.keyframe({3}).landmarks, {3}, 10);
     view = mapped.scene.look(local.reference_from_world);
     frame = test::tracked_frame(mapped, view, 31);
-    settings.close_tracked_low = 50;
-    settings.close_untracked_high = 30;
+    settings.min_close_tracked = 50;
+    settings.min_close_untracked = 30;
   }
   bool asks() const {
     return needs_keyframe(mapped.scene.camera, frame, local, frames_since, keyframes, settings);
@@ -47,12 +47,12 @@ TEST(KeyframePolicy, FewCloseTrackedAndManyToAdd) {
   const int keypoints = scene.frame.features->size();
   scene.untrack(keypoints - 45);
   EXPECT_TRUE(scene.asks());
-  scene.settings.close_tracked_low = 45;
+  scene.settings.min_close_tracked = 45;
   EXPECT_FALSE(scene.asks()) << "45 are not fewer than 45";
-  scene.settings.close_tracked_low = 50;
-  scene.settings.close_untracked_high = keypoints - 45;
+  scene.settings.min_close_tracked = 50;
+  scene.settings.min_close_untracked = keypoints - 45;
   EXPECT_FALSE(scene.asks()) << "little could be added";
-  scene.settings.close_untracked_high = 30;
+  scene.settings.min_close_untracked = 30;
   scene.settings.close_depth = 0.5;
   EXPECT_FALSE(scene.asks()) << "nothing is close";
   scene.settings.close_depth = 10;

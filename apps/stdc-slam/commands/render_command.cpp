@@ -33,7 +33,7 @@ struct Options {
 /// on it.
 class RenderJob {
  public:
-  RenderJob(const RenderedSequence& sequence, SequenceWriter& writer, int frames)
+  RenderJob(const simulation::RenderedSequence& sequence, simulation::SequenceWriter& writer, int frames)
       : sequence_(sequence), writer_(writer), frames_(frames) {}
 
   void run(int threads, const InterruptWatch& interrupts, Progress& progress) {
@@ -67,8 +67,8 @@ class RenderJob {
     }
   }
 
-  const RenderedSequence& sequence_;
-  SequenceWriter& writer_;
+  const simulation::RenderedSequence& sequence_;
+  simulation::SequenceWriter& writer_;
   const int frames_;
   std::atomic<int> next_ = 0, done_ = 0;
   std::atomic<bool> stop_ = false;
@@ -78,19 +78,20 @@ class RenderJob {
 
 void render(const Options& options) {
   const InterruptWatch interrupts;
-  const Preset preset = preset_named(options.preset);
-  RenderSettings settings;
+  const simulation::Preset preset = simulation::preset_named(options.preset);
+  simulation::RenderSettings settings;
   settings.seed = options.seed;
   settings.with_people = !options.without_people;
   settings.motion_blur = options.motion_blur;
   if (!options.camera.empty()) settings.camera = read_camera(options.camera);
   // The writer comes first: a bad output folder is found before any work is done.
-  const int default_frames =
-      RenderedSequence::frame_count(preset, settings.camera.value_or(default_render_camera()));
+  const int default_frames = simulation::RenderedSequence::frame_count(
+      preset, settings.camera.value_or(simulation::default_render_camera()));
   const int frames = options.frames > 0 ? options.frames : default_frames;
-  SequenceWriter writer(options.output, settings.camera.value_or(default_render_camera()), frames,
-                        options.overwrite);
-  const RenderedSequence sequence(preset, settings);
+  simulation::SequenceWriter writer(options.output,
+                                    settings.camera.value_or(simulation::default_render_camera()), frames,
+                                    options.overwrite);
+  const simulation::RenderedSequence sequence(preset, settings);
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   {
     Progress progress("rendering", "frames", frames, options.quiet);
@@ -103,7 +104,7 @@ void render(const Options& options) {
 
 std::string preset_list() {
   std::string list;
-  for (const auto& [preset, name] : EnumNames<Preset>::values)
+  for (const auto& [preset, name] : EnumNames<simulation::Preset>::values)
     list += fmt::format("{}{}", list.empty() ? "" : ", ", name);
   return list;
 }

@@ -48,7 +48,7 @@ class CommandLine : public ::testing::Test {
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, part)) << outcome.err << "has no\n" << part;
-    EXPECT_TRUE(contains(outcome.err, "; ")) << "no mend: " << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "; ")) << "no hint: " << outcome.err;
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(fs::exists(folder_ / "o"));
   }

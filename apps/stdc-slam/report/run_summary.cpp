@@ -25,9 +25,9 @@ Json value_to_json(const T& value) {
 
 Json settings_to_json(const Settings& settings) {
   Json all;
-  Settings::describe(settings, [&](const char* name, const auto& section) {
+  for_each_section(settings, [&](const char* name, const auto& section) {
     Json& entries = all[name];
-    std::decay_t<decltype(section)>::describe(section, [&](const Setting& setting, const auto& value) {
+    for_each_setting(section, [&](const Setting& setting, const auto& value) {
       entries[setting.name] = value_to_json(value);
     });
   });

@@ -79,7 +79,7 @@ void write_trajectories(const RunTrajectories& trajectories, OutputFolder& outpu
   output.write("trajectory.txt", format_trajectory(trajectories.frames));
   output.write("keyframes.txt", format_trajectory(trajectories.keyframes));
   for (const auto& [map, frames] : trajectories.others) {
-    output.write(fmt::format("trajectory-map-{}.txt", map), format_trajectory(frames));
+    output.write(fmt::format("trajectory-map-{}.txt", map.value), format_trajectory(frames));
   }
   output.drop_older("trajectory-map-");
 }

@@ -17,24 +17,14 @@ struct EnumNames<NetworkPrecision> {
 
 /// Settings of the segmentation network.
 struct NetworkSettings {
-  NetworkPrecision precision = NetworkPrecision::automatic;
-  int threads = 1;
-  int input_width = 0, input_height = 0;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"precision", "", "How the network computes; automatic: int8 if the weights are calibrated"},
-          self.precision);
-    visit(Setting{"threads", "count", "Threads of inference; above 1 OMP_WAIT_POLICY=PASSIVE must be set", 1,
-                  64},
-          self.threads);
-    visit(Setting{"input_width", "px", "Images are resized to this, a multiple of 32; 0: as the weights say",
-                  0, 4096},
-          self.input_width);
-    visit(Setting{"input_height", "px", "Images are resized to this, a multiple of 32; 0: as the weights say",
-                  0, 4096},
-          self.input_height);
-  }
+  STDC_SETTING(NetworkPrecision, precision, NetworkPrecision::automatic,
+               "Arithmetic of the network; automatic: int8 if the weights are calibrated");
+  STDC_SETTING(int, threads, 1, "count", 1, 64,
+               "Threads of inference; above 1 OMP_WAIT_POLICY=PASSIVE must be set");
+  STDC_SETTING(int, input_width, 0, "px", 0, 4096,
+               "Images are resized to this, a multiple of 32; 0: as the weights say");
+  STDC_SETTING(int, input_height, 0, "px", 0, 4096,
+               "Images are resized to this, a multiple of 32; 0: as the weights say");
 };
 
 }  // namespace stdc

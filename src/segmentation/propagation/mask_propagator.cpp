@@ -39,7 +39,7 @@ void MaskPropagator::add_frame(int frame, const cv::Mat& grey, const cv::Mat& de
   }
   // The oldest step's memory is used again.
   Step step;
-  if (static_cast<int>(steps_.size()) >= settings_.memory) {
+  if (static_cast<int>(steps_.size()) >= settings_.history) {
     step = std::move(steps_.front());
     steps_.pop_front();
   }

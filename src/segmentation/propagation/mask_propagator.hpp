@@ -16,21 +16,13 @@ namespace stdc {
 
 /// Settings of the propagation of masks.
 struct PropagationSettings {
-  int memory = 16;
-  double growth = 0.5;
-  double depth_tolerance = 0.12;
-  double depth_growth = 0.03;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"memory", "frames", "Frames kept: how late a mask may come", 2, 100}, self.memory);
-    visit(Setting{"growth", "px", "Room for error all round a moved mask, for each frame of its age", 0, 20},
-          self.growth);
-    visit(Setting{"depth_tolerance", "m", "Depth may differ by that from the one expected of the mask", 0.01,
-                  2},
-          self.depth_tolerance);
-    visit(Setting{"depth_growth", "m", "Added to that for each frame of its age", 0, 1}, self.depth_growth);
-  }
+  STDC_SETTING(int, history, 16, "frames", 2, 100, "Frames kept: how late a mask may arrive");
+  STDC_SETTING(double, growth, 0.5, "px", 0, 20,
+               "Margin added around a moved mask for each frame of its age");
+  STDC_SETTING(double, depth_tolerance, 0.12, "m", 0.01, 2,
+               "Max difference between the depth of a pixel and the one predicted for the mask");
+  STDC_SETTING(double, depth_growth, 0.03, "m", 0, 1,
+               "Added to depth_tolerance for each frame of the mask's age");
 };
 
 /// Carries the mask of an earlier frame to the newest one, so that nobody has to wait for a segmentation.

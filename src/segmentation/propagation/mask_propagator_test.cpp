@@ -77,7 +77,7 @@ TEST(MaskPropagator, BringsALateMaskToTheNewestFrame) {
 
 TEST(MaskPropagator, TheLaterMaskCounts) {
   const Stage stage;
-  MaskPropagator propagator{Camera(), {.memory = 4}};
+  MaskPropagator propagator{Camera(), {.history = 4}};
   Shot shot;
   for (int i = 0; i <= 6; ++i) {
     shot = stage.shoot({60 + 10 * i, 100});
@@ -211,7 +211,7 @@ TEST(MaskPropagator, RefusesWhatDoesNotFit) {
   EXPECT_NE(message_of([&] { propagator.add_frame(3, grey, depth); }).find("does not follow"),
             std::string::npos);
   EXPECT_NE(message_of([&] { propagator.set_mask(3, depth); }).find("mask"), std::string::npos);
-  EXPECT_NE(message_of([] { MaskPropagator(Camera(), {.memory = 1}); }).find("propagation.memory"),
+  EXPECT_NE(message_of([] { MaskPropagator(Camera(), {.history = 1}); }).find("propagation.history"),
             std::string::npos);
 }
 

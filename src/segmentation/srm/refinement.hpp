@@ -8,16 +8,8 @@ namespace stdc {
 
 /// Settings of the Segmentation Refinement Module.
 struct RefinementSettings {
-  int window = 17;
-  double tau = 0.1;
-
-  template <typename Self, typename Visit>
-  static void describe(Self& self, Visit&& visit) {
-    visit(Setting{"window", "px", "Side of the window that a dynamic pixel may claim, odd (Alg. 1)", 1, 65},
-          self.window);
-    visit(Setting{"tau", "m", "Largest difference of depth to the pixel that claims (Eq. 1)", 0, 10},
-          self.tau);
-  }
+  STDC_SETTING(int, window, 17, "px", 1, 65, "Side of the window around each dynamic pixel, odd (Alg. 1)");
+  STDC_SETTING(double, tau, 0.1, "m", 0, 10, "Max depth difference to the dynamic pixel (Eq. 1)");
   /// Throws Error naming the setting at fault.
   void validate() const;
 };

@@ -2,22 +2,23 @@
 
 #include "simulation/light/surface_shader.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// People and moved things in one moment.
-class MovingThings {
+/// People and moving objects at one moment: what RayRenderer needs to know of them.
+class MovingObjects {
  public:
-  virtual ~MovingThings() = default;
+  virtual ~MovingObjects() = default;
   /// As RayScene::trace.
   virtual bool trace(const Eigen::Vector3f& origin, const Eigen::Vector3f* directions, int count,
                      Hit* hits) const = 0;
   virtual Shade shade(const Hit& hit, const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                       float pixel_angle) const = 0;
-  /// A number that differs between surfaces that want a smoothed edge between them.
+  /// Edges between surfaces of different number are antialiased.
   virtual std::uint32_t surface(const Hit& hit) const = 0;
+  /// Whether the surface hit is moving now: 255 in the mask.
   virtual bool dynamic(const Hit& hit) const = 0;
-  /// What is left of the light at a point of a still surface, 0..1.
+  /// Share of the light that reaches a point of the static scene, 0..1.
   virtual float shadow(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) const = 0;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

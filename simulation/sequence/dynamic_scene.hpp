@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "simulation/light/light_probes.hpp"
+#include "simulation/light/moving_objects.hpp"
 #include "simulation/people/person.hpp"
-#include "simulation/scene/moving_things.hpp"
 #include "simulation/scene/prop.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 
-/// Everybody and everything that moves in a sequence.
+/// All people and objects that move in a sequence.
 class DynamicScene {
  public:
   /// `world` must outlive this.
@@ -18,8 +18,8 @@ class DynamicScene {
                std::vector<Prop> props)
       : world_(world), probes_(world, light), people_(std::move(people)), props_(std::move(props)) {}
 
-  /// All of them at a time [s]. The result refers to this object. Thread-safe.
-  std::unique_ptr<MovingThings> at(double time) const;
+  /// Their state at `time` [s]; null if there are none. The result refers to this object. Thread-safe.
+  std::unique_ptr<MovingObjects> at(double time) const;
 
   const std::vector<Person>& people() const { return people_; }
   const std::vector<Prop>& props() const { return props_; }
@@ -31,4 +31,4 @@ class DynamicScene {
   std::vector<Prop> props_;
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

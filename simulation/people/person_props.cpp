@@ -1,11 +1,11 @@
-#include "simulation/scene/prop_shapes.hpp"
+#include "simulation/people/person_props.hpp"
 
 #include <cmath>
 
 #include "simulation/scene/furniture.hpp"
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 constexpr double kStep = 0.02;  // between the poses of a move [s]
@@ -50,7 +50,7 @@ Prop pushed_chair(const Room& room, const PersonMotion& pusher, const Pose& star
       const Stance s = pusher.route().at(t);
       return placed(s.position.x(), s.position.y(), 0, s.yaw);
     };
-    // It moves from when the pusher starts forward until both stand again.
+    // It moves while the person does.
     double first = e.begin, last = e.end;
     while (first < last && pusher.route().speed(first) < 0.01) first += kStep;
     while (last > first && pusher.route().speed(last) < 0.01) last -= kStep;
@@ -61,4 +61,4 @@ Prop pushed_chair(const Room& room, const PersonMotion& pusher, const Pose& star
   return {std::move(mesh), start, std::move(moves), 0.25};
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

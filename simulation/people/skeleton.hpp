@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace stdc {
+namespace stdc::simulation {
 
 /// The bones of a person. `left` and `right` are the person's own.
 enum class Bone {
@@ -27,7 +27,7 @@ enum class Bone {
 };
 constexpr int kBones = 17;
 constexpr int index(Bone bone) { return static_cast<int>(bone); }
-/// The bone that carries this one; the pelvis carries itself.
+/// The parent bone; the pelvis is its own.
 Bone parent(Bone bone);
 /// The same bone of the other side.
 constexpr Bone mirrored(Bone bone) {
@@ -37,7 +37,7 @@ constexpr Bone mirrored(Bone bone) {
   return static_cast<Bone>(block + at);
 }
 
-/// What a person measures.
+/// Body measures of a person.
 struct BodyMeasures {
   double height = 1.75;    ///< standing, without shoes [m]
   double girth = 1;        ///< of trunk and limbs, 1 is average
@@ -46,17 +46,17 @@ struct BodyMeasures {
   double chest_depth = 0;  ///< of the bust, 0..1
 };
 
-/// The skeleton at rest: standing on z = 0, facing -y (so that +x is to the person's left), arms a little
+/// The skeleton in its rest pose: standing on z = 0, facing -y (so +x is to the person's left), arms a little
 /// away from the trunk. Proportions follow Winter, Biomechanics and Motor Control of Human Movement (2009),
 /// fig. 4.1.
-class BodyPlan {
+class Skeleton {
  public:
-  explicit BodyPlan(const BodyMeasures& measures);
+  explicit Skeleton(const BodyMeasures& measures);
 
   const BodyMeasures& measures() const { return measures_; }
-  /// Scale of lengths against a person of 1.75 m.
+  /// Height relative to a person of 1.75 m.
   double scale() const { return measures_.height / 1.75; }
-  /// The joint a bone turns about [m].
+  /// The joint that a bone rotates about [m].
   const Eigen::Vector3d& joint(Bone bone) const { return joints_[index(bone)]; }
   /// The far end of the bone.
   const Eigen::Vector3d& end(Bone bone) const { return ends_[index(bone)]; }
@@ -72,4 +72,4 @@ class BodyPlan {
   std::array<double, kBones> radii_{};
 };
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -1,20 +1,21 @@
+#include "simulation/people/box_script.hpp"
+
 #include <numbers>
 
 #include "core/random.hpp"
 #include "simulation/people/person_motion.hpp"
-#include "simulation/people/walk_planner.hpp"
 #include "simulation/scene/shapes.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kBehindChair = 0.78;  // from the chair's middle to who pushes it [m]
+constexpr double kBehindChair = 0.78;  // from the centre of the chair to the person who pushes it [m]
 
-const Vector2d kAtDesk(-1.15, -0.15);  // where the box is set down from
+const Vector2d kAtDesk(-1.15, -0.15);  // where the person stands to put the box down
 
-/// With the box to the desk, where it is set down.
+/// Carries the box to the desk and puts it down.
 void bring(Route& route, const Pose& box_place, double carried_since, Random& random) {
   route.walk({{-1.4, -0.8}, kAtDesk}, random.uniform(0.75, 0.9));
   route.turn(std::numbers::pi);
@@ -25,7 +26,7 @@ void bring(Route& route, const Pose& box_place, double carried_since, Random& ra
   route.wait(0.5);
 }
 
-/// Round to behind the chair, which is pushed along before the desks.
+/// Goes round behind the chair and pushes it along the desks.
 void push(Route& route, const Pose& chair, Random& random) {
   const double x = chair.translation.x() + kBehindChair, y = chair.translation.y();
   route.walk({{-0.9, -0.85}, {0.2, -1.36}, {1.2, -1.4}, {x + 0.22, -1.15}, {x + 0.18, y}},
@@ -47,7 +48,7 @@ void talk(Route& route, Random& random) {
   route.note(Act::talk, talking);
 }
 
-/// Back to the box, which is picked up.
+/// Goes back to the box and picks it up.
 void fetch(Route& route, const Pose& box_place, Random& random) {
   route.walk({{0.6, -1.36}, {-0.3, -1.36}, {-1.0, -0.8}, kAtDesk}, random.uniform(0.85, 1.0));
   route.turn(std::numbers::pi);
@@ -56,7 +57,7 @@ void fetch(Route& route, const Pose& box_place, Random& random) {
   route.note(Act::pick, picking, box_place);
 }
 
-/// With the box to and fro before the camera.
+/// Walks to and fro before the camera with the box.
 void show(Route& route, Random& random) {
   route.walk({{-1.1, -0.8}, {-0.5, -1.36}, {0.4, -1.38}}, random.uniform(0.7, 0.85));
   route.turn(route.last().yaw + std::numbers::pi * 0.6);
@@ -70,14 +71,14 @@ BoxScript plan_box_carrier(double seconds, std::uint64_t seed) {
   Random random(seed, 72);
   const Pose box_place = placed(-1.15 + random.uniform(-0.02, 0.02), 0.385, 0.7305,
                                 std::numbers::pi + random.uniform(-0.06, 0.06));
-  BoxScript play{Route({{-1.75, -1.35}, 2.3}), placed(0.62, -0.74, 0, -std::numbers::pi / 2)};
-  Route& route = play.route;
+  BoxScript script{Route({{-1.75, -1.35}, 2.3}), placed(0.62, -0.74, 0, -std::numbers::pi / 2)};
+  Route& route = script.route;
   route.wait(0.6);
   double carried_since = 0;
   while (route.end() < seconds) {
     bring(route, box_place, carried_since, random);
     if (carried_since == 0) {
-      push(route, play.chair_start, random);
+      push(route, script.chair_start, random);
     } else {
       route.walk({{-0.9, -0.95}, {0.0, -1.36}, {0.8, -1.36}}, random.uniform(0.85, 1.0));
       route.turn(random.uniform(2.4, 3.4));
@@ -87,7 +88,7 @@ BoxScript plan_box_carrier(double seconds, std::uint64_t seed) {
     carried_since = route.end();
     show(route, random);
   }
-  return play;
+  return script;
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -1,11 +1,11 @@
-// The smaller furniture: plants, stands, lamps, radiators.
+// The smaller furniture of furniture.hpp: plants, stands, lamps, radiators.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "simulation/scene/furniture.hpp"
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3d;
@@ -102,4 +102,4 @@ void add_floor_lamp(ShapeBuilder& b, const RoomMaterials& m) {
   b.revolve({0, 0, 1.42}, {{0.098, 0.26}, {0.168, 0}}, 28, m.paper_edge);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

@@ -1,8 +1,8 @@
-#include "simulation/people/body_plan.hpp"
+#include "simulation/people/skeleton.hpp"
 
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 
 using Eigen::Vector3d;
 
@@ -24,7 +24,7 @@ Bone parent(Bone bone) {
   }
 }
 
-void BodyPlan::set(Bone bone, const Vector3d& joint, const Vector3d& end, double radius) {
+void Skeleton::set(Bone bone, const Vector3d& joint, const Vector3d& end, double radius) {
   const double s = scale();
   joints_[index(bone)] = s * joint;
   ends_[index(bone)] = s * end;
@@ -37,7 +37,7 @@ void BodyPlan::set(Bone bone, const Vector3d& joint, const Vector3d& end, double
   radii_[index(other)] = radii_[index(bone)];
 }
 
-BodyPlan::BodyPlan(const BodyMeasures& measures) : measures_(measures) {
+Skeleton::Skeleton(const BodyMeasures& measures) : measures_(measures) {
   const double shoulder = 0.176 * measures.shoulders, hip = 0.088 * measures.hips;
   constexpr double kArmSpread = 0.44;  // of the arms from the vertical [rad]
   const Vector3d down(std::sin(kArmSpread), 0, -std::cos(kArmSpread));
@@ -60,4 +60,4 @@ BodyPlan::BodyPlan(const BodyMeasures& measures) : measures_(measures) {
   set(Bone::left_foot, ankle, {hip + 0.012, -0.16, 0.03}, 0.045);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

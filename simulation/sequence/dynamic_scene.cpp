@@ -1,35 +1,35 @@
-#include "simulation/scene/dynamic_scene.hpp"
+#include "simulation/sequence/dynamic_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace stdc {
+namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector3f;
 
-/// A rod with round ends that keeps light away.
+/// A capsule that blocks light.
 struct Blocker {
   Vector3f a, b;
   float radius = 0;
 };
 
 /// One person or prop within the common mesh.
-struct Actor {
+struct Instance {
   std::uint32_t first_quad = 0, first_vertex = 0;
   const Person* person = nullptr;
   const Prop* prop = nullptr;
   bool moves = true;
   std::vector<Blocker> blockers;
-  Eigen::AlignedBox3f reach;  ///< beyond it nothing is shaded by the actor
+  Eigen::AlignedBox3f reach;  ///< it casts no shadow beyond
 };
 
 constexpr float kShadowReach = 0.9F;  // [m]
 
-class Moment : public MovingThings {
+class SceneSnapshot : public MovingObjects {
  public:
-  Moment(const World& world, const LightProbes& probes, const std::vector<Person>& people,
-         const std::vector<Prop>& props, double time)
+  SceneSnapshot(const World& world, const LightProbes& probes, const std::vector<Person>& people,
+                const std::vector<Prop>& props, double time)
       : world_(world) {
     for (const Person& person : people) add(person, probes, time);
     for (const Prop& prop : props) add(prop, probes, time);
@@ -41,26 +41,27 @@ class Moment : public MovingThings {
   }
 
   std::uint32_t surface(const Hit& hit) const override {
-    const Actor& a = actor(hit);
+    const Instance& a = instance_of(hit);
     if (a.person != nullptr)
-      return a.first_quad * 16 + static_cast<std::uint32_t>(a.person->mesh.covers()[hit.quad - a.first_quad]);
+      return a.first_quad * 16 +
+             static_cast<std::uint32_t>(a.person->mesh.regions()[hit.quad - a.first_quad]);
     return a.first_quad * 16 + a.prop->mesh().patch_of_quad[hit.quad - a.first_quad] * 131;
   }
 
-  bool dynamic(const Hit& hit) const override { return actor(hit).moves; }
+  bool dynamic(const Hit& hit) const override { return instance_of(hit).moves; }
 
   float shadow(const Vector3f& position, const Vector3f& normal) const override {
     float light = 1;
-    for (const Actor& a : actors_) {
+    for (const Instance& a : instances_) {
       if (!a.reach.contains(position)) continue;
       for (const Blocker& blocker : a.blockers) {
         const Vector3f axis = blocker.b - blocker.a;
         const float h =
             std::clamp((position - blocker.a).dot(axis) / std::max(1e-6F, axis.squaredNorm()), 0.0F, 1.0F);
-        const Vector3f way = blocker.a + h * axis - position;
-        const float square = way.squaredNorm(), facing = normal.dot(way);
+        const Vector3f to_blocker = blocker.a + h * axis - position;
+        const float square = to_blocker.squaredNorm(), facing = normal.dot(to_blocker);
         if (facing <= 0 || square > kShadowReach * kShadowReach) continue;
-        // What a ball of this size hides of a cosine-weighted sky, fading out at the end of its reach.
+        // Share of a cosine-weighted sky that a ball of this size hides, fading to 0 at kShadowReach.
         const float length = std::sqrt(square), fade = 1 - square / (kShadowReach * kShadowReach);
         const float hidden =
             facing / length * std::min(1.0F, blocker.radius * blocker.radius / square) * fade;
@@ -72,19 +73,19 @@ class Moment : public MovingThings {
 
   Shade shade(const Hit& hit, const Vector3f& origin, const Vector3f& direction,
               float pixel_angle) const override {
-    const Actor& a = actor(hit);
+    const Instance& a = instance_of(hit);
     const auto& quad = mesh_.quads[hit.quad];
     const auto blend = [&](const auto& values) { return blended(values, quad, 0, hit); };
     Vector3f n = blend(mesh_.normals).normalized();
     const float length = direction.norm();
-    const Vector3f way = direction / length;
-    if (n.dot(way) > 0) n = -n;
-    const float cosine = std::max(0.05F, -n.dot(way));
+    const Vector3f view = direction / length;
+    if (n.dot(view) > 0) n = -n;
+    const float cosine = std::max(0.05F, -n.dot(view));
     const float seen = pixel_angle * hit.distance * length / std::sqrt(cosine);
     const Rgb light = blend(light_);
     Shade result;
     if (a.person != nullptr) {
-      const Cover cover = a.person->mesh.covers()[hit.quad - a.first_quad];
+      const BodyRegion region = a.person->mesh.regions()[hit.quad - a.first_quad];
       const auto& rest = a.person->mesh.vertices();
       const auto weights = corner_weights(hit);
       Vector3f at = Vector3f::Zero(), normal = Vector3f::Zero();
@@ -92,9 +93,9 @@ class Moment : public MovingThings {
         at += weights[i] * rest[quad[i] - a.first_vertex].position;
         normal += weights[i] * rest[quad[i] - a.first_vertex].normal;
       }
-      result.colour = a.person->textures.colour(cover, at, normal.normalized(), seen).cwiseProduct(light);
+      result.colour = a.person->textures.colour(region, at, normal.normalized(), seen).cwiseProduct(light);
       Material surface;
-      surface.infrared_return = cover == Cover::hair ? 0.45F : 0.85F;
+      surface.infrared_return = region == BodyRegion::hair ? 0.45F : 0.85F;
       result.infrared = infrared_return(surface, cosine);
       return result;
     }
@@ -107,7 +108,7 @@ class Moment : public MovingThings {
     const Rgb surface = texture.sample(uv.x(), uv.y(), texels).cwiseProduct(material.tint);
     result.colour = surface.cwiseProduct(light);
     if (material.gloss > 0)
-      result.colour += highlights(world_.lights, material, origin + hit.distance * direction, n, way);
+      result.colour += highlights(world_.lights, material, origin + hit.distance * direction, n, view);
     result.infrared = infrared_return(material, cosine);
     return result;
   }
@@ -133,21 +134,21 @@ class Moment : public MovingThings {
     return texels / std::max(1e-5F, metres);
   }
 
-  const Actor& actor(const Hit& hit) const {
-    std::size_t i = actors_.size() - 1;
-    while (i > 0 && actors_[i].first_quad > hit.quad) --i;
-    return actors_[i];
+  const Instance& instance_of(const Hit& hit) const {
+    std::size_t i = instances_.size() - 1;
+    while (i > 0 && instances_[i].first_quad > hit.quad) --i;
+    return instances_[i];
   }
 
-  Actor& begin_actor() {
-    Actor a;
+  Instance& begin_instance() {
+    Instance a;
     a.first_quad = static_cast<std::uint32_t>(mesh_.quads.size());
     a.first_vertex = static_cast<std::uint32_t>(mesh_.positions.size());
-    actors_.push_back(a);
-    return actors_.back();
+    instances_.push_back(a);
+    return instances_.back();
   }
 
-  static void block(Actor& a, const Vector3f& from, const Vector3f& to, float radius) {
+  static void block(Instance& a, const Vector3f& from, const Vector3f& to, float radius) {
     a.blockers.push_back({from, to, radius});
     for (const Vector3f& p : {from, to}) {
       a.reach.extend(Vector3f(p - Vector3f::Constant(kShadowReach)));
@@ -156,18 +157,18 @@ class Moment : public MovingThings {
   }
 
   void add(const Person& person, const LightProbes& probes, double time) {
-    Actor& a = begin_actor();
+    Instance& a = begin_instance();
     a.person = &person;
     const BodyPose pose = person.motion.pose(time);
     person.mesh.append(pose, mesh_);
-    const BodyPlan& plan = person.motion.plan();
+    const Skeleton& skeleton = person.motion.skeleton();
     std::array<LightCube, kBones> light;
     for (int i = 0; i < kBones; ++i) {
       const auto bone = static_cast<Bone>(i);
       const Vector3f from = pose.bones[i].translation.cast<float>();
-      const Vector3f to = pose.point(plan, bone, plan.end(bone)).cast<float>();
+      const Vector3f to = pose.point(skeleton, bone, skeleton.end(bone)).cast<float>();
       light[i] = probes.at(0.5F * (from + to));
-      block(a, from, to, static_cast<float>(plan.radius(bone)));
+      block(a, from, to, static_cast<float>(skeleton.radius(bone)));
     }
     const auto& rest = person.mesh.vertices();
     for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -176,12 +177,12 @@ class Moment : public MovingThings {
       for (std::size_t k = 0; k < rest[i].bones.size(); ++k) {
         if (rest[i].weights[k] > 1e-3F) sum += rest[i].weights[k] * light[rest[i].bones[k]].on(n);
       }
-      light_.push_back(sum * rest[i].openness);
+      light_.push_back(sum * rest[i].sky_visibility);
     }
   }
 
   void add(const Prop& prop, const LightProbes& probes, double time) {
-    Actor& a = begin_actor();
+    Instance& a = begin_instance();
     a.prop = &prop;
     a.moves = prop.moving(time);
     const Pose pose = prop.world_from_prop(time);
@@ -206,15 +207,15 @@ class Moment : public MovingThings {
   const World& world_;
   Mesh mesh_;
   std::vector<Rgb> light_;  ///< on each vertex
-  std::vector<Actor> actors_;
+  std::vector<Instance> instances_;
   std::unique_ptr<RayScene> scene_;
 };
 
 }  // namespace
 
-std::unique_ptr<MovingThings> DynamicScene::at(double time) const {
+std::unique_ptr<MovingObjects> DynamicScene::at(double time) const {
   if (people_.empty() && props_.empty()) return nullptr;
-  return std::make_unique<Moment>(world_, probes_, people_, props_, time);
+  return std::make_unique<SceneSnapshot>(world_, probes_, people_, props_, time);
 }
 
-}  // namespace stdc
+}  // namespace stdc::simulation

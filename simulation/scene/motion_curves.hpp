@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace stdc::motion {
+namespace stdc::simulation {
 
-/// 0 below 0, 1 above 1, without a kink between.
+/// Smoothstep: 0 below 0, 1 above 1.
 inline double smooth(double x) {
   x = std::clamp(x, 0.0, 1.0);
   return x * x * (3 - 2 * x);
@@ -30,4 +30,4 @@ inline Eigen::Quaterniond about_x(double radians) { return about(Eigen::Vector3d
 inline Eigen::Quaterniond about_y(double radians) { return about(Eigen::Vector3d::UnitY(), radians); }
 inline Eigen::Quaterniond about_z(double radians) { return about(Eigen::Vector3d::UnitZ(), radians); }
 
-}  // namespace stdc::motion
+}  // namespace stdc::simulation
