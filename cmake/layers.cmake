@@ -15,16 +15,19 @@ endif()
 # Tests are compiled with little optimisation: they cost twice the time otherwise and gain next to nothing.
 set(STDC_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>")
 
-# stdc_add_layer(NAME DEPENDS target...)
+# stdc_add_layer(NAME DEPENDS target... TEST_DEPENDS target...)
 # Makes the library stdc_NAME of the .cpp files in this folder and its sub-folders, and the test program
-# stdc_NAME_test of the *_test.cpp files. ONE_TEST: CTest runs the program as a whole, for tests that share something
-# expensive.
+# stdc_NAME_test of the *_test.cpp files. Helpers of tests and benchmarks, test_*.cpp, are the library
+# stdc_NAME_testing: they are compiled once, and tests of higher layers name that library under TEST_DEPENDS.
+# ONE_TEST: CTest runs the program as a whole, for tests that share something expensive.
 function(stdc_add_layer name)
   cmake_parse_arguments(LAYER "ONE_TEST" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   set(tests ${sources})
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  set(helpers ${sources})
+  list(FILTER sources EXCLUDE REGEX "(_test|/test_[^/]*)\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER helpers INCLUDE REGEX "/test_[^/]*\\.cpp$")
   if(sources)
     add_library(stdc_${name} STATIC ${sources})
     target_link_libraries(stdc_${name} PUBLIC stdc_options ${LAYER_DEPENDS})
@@ -33,9 +36,13 @@ function(stdc_add_layer name)
     add_library(stdc_${name} INTERFACE)
     target_link_libraries(stdc_${name} INTERFACE stdc_options ${LAYER_DEPENDS})
   endif()
+  if(helpers)
+    stdc_add_test_helpers(stdc_${name}_testing DEPENDS stdc_${name} ${LAYER_TEST_DEPENDS} SOURCES ${helpers})
+    list(PREPEND LAYER_TEST_DEPENDS stdc_${name}_testing)
+  endif()
   if(STDC_BUILD_TESTS AND tests)
     add_executable(stdc_${name}_test ${tests})
-    target_link_libraries(stdc_${name}_test PRIVATE stdc_${name} ${LAYER_TEST_DEPENDS} GTest::gtest_main)
+    target_link_libraries(stdc_${name}_test PRIVATE ${LAYER_TEST_DEPENDS} stdc_${name} GTest::gtest_main)
     target_compile_options(stdc_${name}_test PRIVATE ${STDC_TEST_OPTIONS})
     stdc_use_precompiled(stdc_${name}_test stdc_test_precompiled)
     if(LAYER_ONE_TEST)
@@ -43,5 +50,18 @@ function(stdc_add_layer name)
     else()
       gtest_discover_tests(stdc_${name}_test DISCOVERY_TIMEOUT 120)
     endif()
+  endif()
+endfunction()
+
+# stdc_add_test_helpers(TARGET DEPENDS target... SOURCES file...): a library of test helpers. Benchmarks and fuzzers use
+# some of them, so it is there without the tests too, and built when something links it.
+function(stdc_add_test_helpers target)
+  cmake_parse_arguments(HELPERS "" "" "DEPENDS;SOURCES" ${ARGN})
+  add_library(${target} STATIC EXCLUDE_FROM_ALL ${HELPERS_SOURCES})
+  target_link_libraries(${target} PUBLIC ${HELPERS_DEPENDS})
+  target_compile_options(${target} PRIVATE ${STDC_TEST_OPTIONS})
+  if(STDC_BUILD_TESTS)
+    target_link_libraries(${target} PUBLIC GTest::gtest)
+    stdc_use_precompiled(${target} stdc_test_precompiled)
   endif()
 endfunction()
