@@ -24,7 +24,7 @@ struct PoseTask {
 std::vector<PoseTask> pose_tasks(int observations) {
   std::vector<PoseTask> tasks;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-    test::Options options;
+    test::SceneOptions options;
     options.seed = seed;
     Random random(options.seed + 100);
     test::PoseScene scene = test::make_pose_scene(options, observations);
@@ -45,8 +45,8 @@ void optimise_pose_in_rounds(benchmark::State& state) {
   }
 }
 
-test::Scene bundle_scene(const benchmark::State& state) {
-  test::Options options;
+test::BundleScene bundle_scene(const benchmark::State& state) {
+  test::SceneOptions options;
   options.poses = static_cast<int>(state.range(0));
   options.fixed_poses = static_cast<int>(state.range(1));
   options.points = static_cast<int>(state.range(2));
@@ -54,7 +54,7 @@ test::Scene bundle_scene(const benchmark::State& state) {
 }
 
 void run_bundle(benchmark::State& state, const BundleSettings& settings) {
-  const test::Scene scene = bundle_scene(state);
+  const test::BundleScene scene = bundle_scene(state);
   BundleResult result;
   for (auto _ : state) {
     state.PauseTiming();
@@ -97,7 +97,7 @@ void pose_by_ceres(benchmark::State& state) {
 }
 
 void bundle_by_ceres(benchmark::State& state) {
-  const test::Scene scene = bundle_scene(state);
+  const test::BundleScene scene = bundle_scene(state);
   const ceres::LinearSolverType solver = state.range(0) > 100 ? ceres::SPARSE_SCHUR : ceres::DENSE_SCHUR;
   ceres::Solver::Summary summary;
   for (auto _ : state) {

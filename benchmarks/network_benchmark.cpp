@@ -27,16 +27,16 @@ cv::Mat noise(cv::Size size) {
 }
 
 void print_steps(StdcNetwork& network) {
-  std::vector<double> least = network.profile();
+  std::vector<double> min_times = network.profile();
   for (int i = 0; i < 20; ++i) {
     const std::vector<double> again = network.profile();
-    std::transform(least.begin(), least.end(), again.begin(), least.begin(),
+    std::transform(min_times.begin(), min_times.end(), again.begin(), min_times.begin(),
                    [](double a, double b) { return std::min(a, b); });
   }
-  for (std::size_t i = 0; i < least.size(); ++i) {
+  for (std::size_t i = 0; i < min_times.size(); ++i) {
     const NetworkStep& step = network.steps()[i];
     std::fprintf(stderr, "%-42s %-24s %8.3f ms %7.1f million multiplications\n", step.name.c_str(),
-                 step.kernel.c_str(), least[i], step.multiplications * 1e-6);
+                 step.kernel.c_str(), min_times[i], step.multiplications * 1e-6);
   }
 }
 

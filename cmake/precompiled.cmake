@@ -14,7 +14,7 @@ function(stdc_make_precompiled name)
   target_precompile_headers(${name} PRIVATE ${PCH_HEADERS})
 endfunction()
 
-# stdc_use_precompiled(TARGET CARRIER): the target takes the headers of stdc_precompiled or one of its kin.
+# stdc_use_precompiled(TARGET CARRIER): the target takes the headers of stdc_precompiled or of another carrier.
 function(stdc_use_precompiled target carrier)
   if(STDC_PRECOMPILED)
     target_precompile_headers(${target} REUSE_FROM ${carrier})

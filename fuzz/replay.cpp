@@ -83,7 +83,7 @@ class Mutator {
     std::uint8_t& byte = input[static_cast<std::size_t>(below(size_of(input)))];
     byte = static_cast<std::uint8_t>(byte ^ 1U << random_.below(8));
   }
-  /// All ones, all zeros, the greatest and the least number: what sizes and offsets stumble over.
+  /// All ones, all zeros, the maximum and the minimum: what sizes and offsets stumble over.
   void put_telling_bytes(Input& input) {
     const auto [first, count] = range(input);
     const std::uint8_t body = below(2) == 0 ? 0x00 : 0xFF;

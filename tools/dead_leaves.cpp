@@ -12,7 +12,7 @@ namespace {
 
 struct Leaf {
   double x, y, radius;            // [px]
-  double cosine, sine;            // of its turn
+  double cosine, sine;            // of its rotation
   double aspect;                  // height over width
   bool is_box;                    // else an ellipse
   double grey, slope_u, slope_v;  // grey level at the centre, and its change per radius along the axes
@@ -26,9 +26,9 @@ Leaf random_leaf(cv::Size size, Random& random) {
   // Inverse of the distribution function of r^-3 between the two radii.
   const double low = 1 / (kMin * kMin), high = 1 / (kMax * kMax);
   leaf.radius = 1 / std::sqrt(low + random.uniform() * (high - low));
-  const double turn = random.uniform(0, 2 * std::numbers::pi);
-  leaf.cosine = std::cos(turn);
-  leaf.sine = std::sin(turn);
+  const double rotation = random.uniform(0, 2 * std::numbers::pi);
+  leaf.cosine = std::cos(rotation);
+  leaf.sine = std::sin(rotation);
   leaf.aspect = random.uniform(0.25, 1);
   leaf.is_box = random.below(2) == 0;
   leaf.grey = random.uniform(10, 245);

@@ -5,7 +5,7 @@
 
 namespace stdc {
 
-/// A synthetic picture with the statistics of natural ones: opaque shapes of random place, turn, size
+/// A synthetic picture with the statistics of natural ones: opaque shapes of random place, rotation, size
 /// (density ~ r^-3), grey level and slope of grey level laid over each other (dead leaves: Lee, Mumford and
 /// Huang, Occlusion models for natural images, 2001), then slightly blurred and with noise as by a camera.
 /// Same seed, same bytes.

@@ -46,7 +46,7 @@ std::vector<BriefTest> draw_tests(int count, double nearest, std::uint64_t seed)
   return tests;
 }
 
-/// The turned, smoothed patches of 64 keypoints: [pixel][keypoint].
+/// The rotated, smoothed patches of 64 keypoints: [pixel][keypoint].
 using PatchBatch = std::vector<std::array<std::uint8_t, kBatch>>;
 
 std::vector<PatchBatch> cut_patches(std::span<const cv::Mat> images) {

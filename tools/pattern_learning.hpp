@@ -25,7 +25,7 @@ TestResults evaluate_random_tests(std::span<const cv::Mat> images, int count, do
 
 /// The greedy search of rBRIEF (Rublee et al., ORB, ICCV 2011, sec. 4.3): tests ordered by the distance of
 /// their mean from 1/2; from the first on, a test is taken if its absolute correlation with every one taken
-/// before is below a threshold; the least threshold (in steps of 0.01) that gives 256 tests is used.
+/// before is below a threshold; the smallest threshold (in steps of 0.01) that gives 256 tests is used.
 BriefPattern learn_pattern(const TestResults& results);
 
 }  // namespace stdc

@@ -24,7 +24,7 @@ std::optional<Pose> align_points(std::span<const Eigen::Vector3d> source,
   }
   if (!covariance.allFinite()) return std::nullopt;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  // Eq. 43 of the paper: turn the least certain axis round rather than give a reflection.
+  // Umeyama, Eq. 43: flip the least certain axis rather than return a reflection.
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();
   if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) signs.z() = -1;
   const Eigen::Matrix3d rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();

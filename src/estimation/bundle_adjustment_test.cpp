@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -11,19 +12,19 @@
 namespace stdc {
 namespace {
 
+using test::BundleScene;
 using test::make_scene;
-using test::Options;
 using test::same;
-using test::Scene;
+using test::SceneOptions;
 
-Options small() {
-  Options options;
+SceneOptions small() {
+  SceneOptions options;
   options.poses = 12, options.fixed_poses = 4, options.points = 500;
   return options;
 }
 
 /// Root mean square of the errors of the moving cameras' centres [m].
-double camera_error(const Scene& scene, int fixed) {
+double camera_error(const BundleScene& scene, int fixed) {
   double sum = 0;
   const std::size_t count = scene.true_poses.size();
   for (std::size_t k = static_cast<std::size_t>(fixed); k < count; ++k) {
@@ -33,11 +34,11 @@ double camera_error(const Scene& scene, int fixed) {
 }
 
 TEST(BundleAdjustment, IsExactWithoutNoise) {
-  Options options = small();
+  SceneOptions options = small();
   options.noise = 0, options.outliers = 0, options.edge_outliers = 0;
   for (const double missing : {0.0, 0.5, 1.0}) {
     options.missing_depth = missing;
-    Scene scene = make_scene(options);
+    BundleScene scene = make_scene(options);
     BundleSettings settings;
     settings.robust_iterations = 30;
     const BundleResult result = bundle_adjust(scene.camera, scene.problem, scene.sigma, settings);
@@ -48,8 +49,8 @@ TEST(BundleAdjustment, IsExactWithoutNoise) {
 }
 
 TEST(BundleAdjustment, ReachesTheAccuracyOfTheMeasurements) {
-  Options options = small();
-  Scene scene = make_scene(options);
+  SceneOptions options = small();
+  BundleScene scene = make_scene(options);
   const double before = camera_error(scene, options.fixed_poses);
   const BundleResult result = bundle_adjust(scene.camera, scene.problem, scene.sigma, {});
   ASSERT_TRUE(result.usable);
@@ -68,9 +69,9 @@ TEST(BundleAdjustment, ReachesTheAccuracyOfTheMeasurements) {
 }
 
 TEST(BundleAdjustment, CostOfInliersIsAsTheNoiseSays) {
-  Options options = small();
+  SceneOptions options = small();
   options.outliers = 0, options.edge_outliers = 0;
-  Scene scene = make_scene(options);
+  BundleScene scene = make_scene(options);
   BundleSettings settings;
   settings.robust_iterations = 30, settings.final_iterations = 0;
   const BundleResult result = bundle_adjust(scene.camera, scene.problem, scene.sigma, settings);
@@ -82,8 +83,8 @@ TEST(BundleAdjustment, CostOfInliersIsAsTheNoiseSays) {
 }
 
 TEST(BundleAdjustment, LeavesFixedPosesAndUnseenPointsAlone) {
-  Options options = small();
-  Scene scene = make_scene(options);
+  SceneOptions options = small();
+  BundleScene scene = make_scene(options);
   BundleProblem& problem = scene.problem;
   problem.points.emplace_back(1, 2, 3);                         // nobody sees it
   problem.cam_from_world.push_back(problem.cam_from_world[5]);  // sees nothing
@@ -98,9 +99,9 @@ TEST(BundleAdjustment, LeavesFixedPosesAndUnseenPointsAlone) {
 }
 
 TEST(BundleAdjustment, FixesTheFirstPoseIfNoneIs) {
-  Options options = small();
+  SceneOptions options = small();
   options.fixed_poses = 0;
-  Scene scene = make_scene(options);
+  BundleScene scene = make_scene(options);
   const Pose first = scene.problem.cam_from_world[0];
   ASSERT_TRUE(bundle_adjust(scene.camera, scene.problem, scene.sigma, {}).usable);
   EXPECT_TRUE(same(first, scene.problem.cam_from_world[0]));
@@ -108,9 +109,9 @@ TEST(BundleAdjustment, FixesTheFirstPoseIfNoneIs) {
 }
 
 TEST(BundleAdjustment, MovesPointsOnlyIfAllPosesAreFixed) {
-  Options options = small();
+  SceneOptions options = small();
   options.fixed_poses = options.poses;
-  Scene scene = make_scene(options);
+  BundleScene scene = make_scene(options);
   // The median, for a point with a wrong pixel and little parallax may fly away.
   const auto median_error = [&] {
     std::vector<double> errors;
@@ -126,8 +127,8 @@ TEST(BundleAdjustment, MovesPointsOnlyIfAllPosesAreFixed) {
 }
 
 TEST(BundleAdjustment, LeavesTheProblemAsItWasIfUnusable) {
-  Options options = small();
-  const Scene scene = make_scene(options);
+  SceneOptions options = small();
+  const BundleScene scene = make_scene(options);
   const auto expect_refused = [&](const BundleProblem& problem) {
     BundleProblem copy = problem;
     const BundleResult result = bundle_adjust(scene.camera, copy, scene.sigma, {});
@@ -158,9 +159,9 @@ TEST(BundleAdjustment, LeavesTheProblemAsItWasIfUnusable) {
 }
 
 TEST(BundleAdjustment, LeavesOutBadNumbersAndPointsBehind) {
-  Options options = small();
-  const Scene clean = make_scene(options);
-  Scene scene = clean;
+  SceneOptions options = small();
+  const BundleScene clean = make_scene(options);
+  BundleScene scene = clean;
   auto& observations = scene.problem.observations;
   observations[10].pixel.x() = std::numeric_limits<float>::quiet_NaN();
   observations[11].pixel.y() = std::numeric_limits<float>::infinity();
@@ -182,22 +183,22 @@ TEST(BundleAdjustment, LeavesOutBadNumbersAndPointsBehind) {
 }
 
 TEST(BundleAdjustment, TakesPointsSeenOnceAndCamerasSeeingLittle) {
-  Options options = small();
+  SceneOptions options = small();
   options.observations_per_point = 1, options.min_observations = 1, options.missing_depth = 0.5;
-  Scene scene = make_scene(options);
+  BundleScene scene = make_scene(options);
   const BundleResult result = bundle_adjust(scene.camera, scene.problem, scene.sigma, {});
   EXPECT_TRUE(result.usable);
   EXPECT_LE(result.final_cost, result.initial_cost);
   for (const Pose& pose : scene.problem.cam_from_world) EXPECT_TRUE(pose.is_finite());
 
-  Scene one = make_scene(small());
+  BundleScene one = make_scene(small());
   one.problem.observations.resize(1);
   EXPECT_TRUE(bundle_adjust(one.camera, one.problem, one.sigma, {}).usable);
 }
 
 TEST(BundleAdjustment, IsDeterministicAndTakesAnyOrderOfObservations) {
-  Options options = small();
-  const Scene scene = make_scene(options);
+  SceneOptions options = small();
+  const BundleScene scene = make_scene(options);
   BundleProblem a = scene.problem, b = scene.problem, c = scene.problem;
   const BundleResult result = bundle_adjust(scene.camera, a, scene.sigma, {});
   bundle_adjust(scene.camera, b, scene.sigma, {});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "estimation/test_ceres_reference.hpp"
 #include "estimation/test_synthetic_scene.hpp"
 
@@ -16,9 +17,9 @@ BundleSettings to_the_end() {
   return settings;
 }
 
-/// The minimum is flat along the way of a long chain of cameras: `pose_tolerance` [m, rad].
-void expect_equal_minimum(const test::Options& options, double pose_tolerance) {
-  test::Scene scene = test::make_scene(options);
+/// The minimum is flat along a long chain of cameras: `pose_tolerance` [m, rad].
+void expect_equal_minimum(const test::SceneOptions& options, double pose_tolerance) {
+  test::BundleScene scene = test::make_scene(options);
   const auto model = test::ceres_reference::make_bundle(scene.camera, scene.problem, scene.sigma);
   const double initial = model->cost();
   ceres::Solver::Summary summary;
@@ -35,13 +36,13 @@ void expect_equal_minimum(const test::Options& options, double pose_tolerance) {
 }
 
 TEST(CeresComparison, BundleWithDepthReachesTheSameMinimum) {
-  test::Options options;
+  test::SceneOptions options;
   options.poses = 12, options.fixed_poses = 4, options.points = 400, options.min_observations = 4;
   expect_equal_minimum(options, 1e-4);
 }
 
 TEST(CeresComparison, MonocularBundleReachesTheSameMinimum) {
-  test::Options options;
+  test::SceneOptions options;
   options.poses = 12, options.fixed_poses = 4, options.points = 400, options.missing_depth = 1.0;
   options.outliers = 0.02, options.observations_per_point = 10, options.min_observations = 6;
   options.seed = 3;
@@ -49,7 +50,7 @@ TEST(CeresComparison, MonocularBundleReachesTheSameMinimum) {
 }
 
 TEST(CeresComparison, SparseBundleReachesTheSameMinimum) {
-  test::Options options;
+  test::SceneOptions options;
   options.poses = 44, options.fixed_poses = 1, options.points = 700, options.min_observations = 4;
   options.seed = 4;
   expect_equal_minimum(options, 1e-2);
@@ -57,7 +58,7 @@ TEST(CeresComparison, SparseBundleReachesTheSameMinimum) {
 
 TEST(CeresComparison, PoseReachesTheSameMinimum) {
   // Without outliers both see the same observations from the first round to the last.
-  test::Options options;
+  test::SceneOptions options;
   options.outliers = 0, options.edge_outliers = 0, options.noise = 0.3;
   const test::PoseScene scene = test::make_pose_scene(options, 200);
   Random random(9);

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "estimation/block_pattern.hpp"
-#include "estimation/bundle_adjustment.hpp"
+#include "estimation/bundle_problem.hpp"
 #include "estimation/kernels/kernels.hpp"
+#include "estimation/noise_settings.hpp"
 
 namespace stdc {
 

@@ -143,13 +143,13 @@ class PoseGraphSolver {
                                 : 1.0;
       // A step x of a moves the error by J x, a step of b by -J adjoint(a_from_b) x.
       const Matrix6d jacobian = inverse_left_jacobian(error);
-      const Matrix6d turned = adjoint(a_from_b);
+      const Matrix6d transport = adjoint(a_from_b);
       const Matrix6d hessian = weight * (jacobian.transpose() * e.information * jacobian);
       const Vector6d gradient = weight * (jacobian.transpose() * weighted);
-      const Matrix6d mixed = -hessian * turned;
+      const Matrix6d mixed = -hessian * transport;
       if (slot_[e.a] != kFixed) add_diagonal(slot_[e.a], hessian, gradient);
       if (slot_[e.b] != kFixed) {
-        add_diagonal(slot_[e.b], -turned.transpose() * mixed, -turned.transpose() * gradient);
+        add_diagonal(slot_[e.b], -transport.transpose() * mixed, -transport.transpose() * gradient);
       }
       if (!both_free(edge)) continue;
       if (slot_[e.a] > slot_[e.b]) {

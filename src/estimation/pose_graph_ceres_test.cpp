@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "estimation/test_pose_graph_scene.hpp"
 
 #if defined(STDC_HAVE_CERES)
 #include <ceres/ceres.h>
+
+#include "core/random.hpp"
 
 namespace stdc {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/random.hpp"
 #include "estimation/se3.hpp"
 #include "estimation/test_pose_graph_scene.hpp"
 
@@ -89,8 +90,8 @@ TEST(PoseGraph, DirectionOfAnEdgeDoesNotMatter) {
   for (PoseGraphEdge& edge : back.graph.edges) {
     std::swap(edge.a, edge.b);
     // The error is one of the other frame now, and of the inverse.
-    const Matrix6d turn = adjoint(edge.a_from_b);
-    edge.information = turn.transpose() * edge.information * turn;
+    const Matrix6d transport = adjoint(edge.a_from_b);
+    edge.information = transport.transpose() * edge.information * transport;
     edge.a_from_b = edge.a_from_b.inverse();
   }
   const PoseGraphSettings settings{.min_relative_decrease = 0};

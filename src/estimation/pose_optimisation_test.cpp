@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/random.hpp"
 #include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
@@ -11,11 +12,11 @@ namespace {
 
 using test::disturbed;
 using test::make_pose_scene;
-using test::Options;
 using test::PoseScene;
+using test::SceneOptions;
 
-Options clean() {
-  Options options;
+SceneOptions clean() {
+  SceneOptions options;
   options.outliers = 0, options.edge_outliers = 0;
   return options;
 }
@@ -32,7 +33,7 @@ PoseOptimisationResult solve(const PoseScene& scene, double metres, double radia
 }
 
 TEST(PoseOptimisation, IsExactWithoutNoise) {
-  Options options = clean();
+  SceneOptions options = clean();
   options.noise = 0;
   for (const double missing : {0.0, 0.5, 1.0}) {
     options.missing_depth = missing;
@@ -47,11 +48,11 @@ TEST(PoseOptimisation, IsExactWithoutNoise) {
 /// The error in units of the information matrix is chi-square with 6 degrees of freedom if the noise is as
 /// said and the matrix is right: mean 6, standard deviation sqrt(12 / count). The gate at 95 % raises it by a
 /// fifth.
-void expect_consistent(const Options& base, double tolerance) {
+void expect_consistent(const SceneOptions& base, double tolerance) {
   double sum = 0;
   constexpr int kCount = 200;
   for (int i = 0; i < kCount; ++i) {
-    Options options = base;
+    SceneOptions options = base;
     options.seed = static_cast<std::uint64_t>(i) + 1;
     const PoseScene scene = make_pose_scene(options, 150);
     const auto result = solve(scene, 0.03, 0.03);
@@ -65,19 +66,19 @@ void expect_consistent(const Options& base, double tolerance) {
 TEST(PoseOptimisation, ErrorsAreAsTheInformationMatrixSays) { expect_consistent(clean(), 1.0); }
 
 TEST(PoseOptimisation, ErrorsAreAsTheInformationMatrixSaysWithoutDepth) {
-  Options options = clean();
+  SceneOptions options = clean();
   options.missing_depth = 1.0;
   expect_consistent(options, 1.0);
 }
 
 TEST(PoseOptimisation, ErrorsGrowLittleWithOutliers) {
-  Options options;  // 7 % wrong pixels, 5 % wrong depths
+  SceneOptions options;  // 7 % wrong pixels, 5 % wrong depths
   expect_consistent(options, 1.0);
 }
 
 TEST(PoseOptimisation, TellsOutliersAmongHalf) {
   for (const double outliers : {0.3, 0.5}) {
-    Options options = clean();
+    SceneOptions options = clean();
     options.outliers = outliers;
     options.seed = 4;
     const PoseScene scene = make_pose_scene(options, 400);
@@ -95,7 +96,7 @@ TEST(PoseOptimisation, TellsOutliersAmongHalf) {
 }
 
 TEST(PoseOptimisation, WrongDepthAloneLeavesAMonocularInlier) {
-  Options options = clean();
+  SceneOptions options = clean();
   options.edge_outliers = 0.3;
   options.missing_depth = 0;
   options.noise = 0.3;
@@ -113,7 +114,7 @@ TEST(PoseOptimisation, WrongDepthAloneLeavesAMonocularInlier) {
 }
 
 TEST(PoseOptimisation, LeavesOutBadNumbersAndPointsBehind) {
-  Options options = clean();
+  SceneOptions options = clean();
   const PoseScene scene = make_pose_scene(options, 120);
   PoseScene soiled = scene;
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -177,12 +178,12 @@ TEST(PoseOptimisation, GivesNoPoseWhereThereIsNone) {
   const auto result = optimise_pose(scene.camera, scene.observations, broken, scene.sigma, {});
   EXPECT_FALSE(result.usable);
   // All points behind the camera.
-  const Pose turned = Pose::exp((Vector6d() << 0, 0, 0, 0, M_PI, 0).finished()) * scene.truth;
-  expect_unusable(scene, turned);
+  const Pose rotated = Pose::exp((Vector6d() << 0, 0, 0, 0, M_PI, 0).finished()) * scene.truth;
+  expect_unusable(scene, rotated);
 }
 
 TEST(PoseOptimisation, ThreeObservationsWithDepthAreEnough) {
-  Options options = clean();
+  SceneOptions options = clean();
   options.noise = 0, options.missing_depth = 0, options.depth_range = 100;
   const PoseScene scene = make_pose_scene(options, 3);
   const auto result = solve(scene, 0.02, 0.02);
@@ -191,7 +192,7 @@ TEST(PoseOptimisation, ThreeObservationsWithDepthAreEnough) {
 }
 
 TEST(PoseOptimisation, APriorAsCertainAsTheObservationsMeetsThemHalfWay) {
-  Options options = clean();
+  SceneOptions options = clean();
   options.noise = 0;
   const PoseScene scene = make_pose_scene(options, 100);
   const auto alone = solve(scene, 0, 0);
@@ -209,7 +210,7 @@ TEST(PoseOptimisation, APriorAsCertainAsTheObservationsMeetsThemHalfWay) {
 }
 
 TEST(PoseOptimisation, IsDeterministic) {
-  Options options;
+  SceneOptions options;
   options.outliers = 0.3;
   const PoseScene scene = make_pose_scene(options, 333);
   const auto a = solve(scene, 0.03, 0.03), b = solve(scene, 0.03, 0.03);

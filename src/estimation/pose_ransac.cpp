@@ -33,9 +33,9 @@ double trials_needed(double inlier_share, double confidence) {
 /// A rotation about their line would be free.
 bool on_a_line(const std::array<Eigen::Vector3d, 3>& points) {
   const Eigen::Vector3d a = points[1] - points[0], b = points[2] - points[0], c = points[2] - points[1];
-  const double longest = std::max({a.norm(), b.norm(), c.norm()});
-  constexpr double kFlattest = 0.1;  // height over base
-  return !(a.cross(b).norm() > kFlattest * longest * longest);
+  const double max_side = std::max({a.norm(), b.norm(), c.norm()});
+  constexpr double kMinFlatness = 0.1;  // height over base
+  return !(a.cross(b).norm() > kMinFlatness * max_side * max_side);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::optional<Pose> find_pose(const Camera& camera, std::span<const PoseObservat
   if (with_depth.size() < 3) return {};
   Random random(settings.seed);
   std::optional<Pose> best;
-  int most = settings.min_inliers - 1;
+  int best_count = settings.min_inliers - 1;
   double needed = settings.trials;
   for (int trial = 0; trial < settings.trials && trial < needed; ++trial) {
     std::array<Eigen::Vector3d, 3> world, cam;
@@ -62,8 +62,8 @@ std::optional<Pose> find_pose(const Camera& camera, std::span<const PoseObservat
     const std::optional<Pose> cam_from_world = align_points(world, cam);
     if (!cam_from_world) continue;
     const int inliers = count_inliers(camera, observations, *cam_from_world, settings.gate);
-    if (inliers <= most) continue;
-    most = inliers;
+    if (inliers <= best_count) continue;
+    best_count = inliers;
     best = cam_from_world;
     needed = trials_needed(static_cast<double>(inliers) / static_cast<double>(observations.size()),
                            settings.confidence);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/random.hpp"
 #include "estimation/test_synthetic_scene.hpp"
 
 namespace stdc {
@@ -10,7 +11,7 @@ namespace {
 TEST(PoseRansac, FindsThePoseAmongWrongMatches) {
   for (const double outliers : {0.0, 0.3, 0.6}) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
-      test::Options options;
+      test::SceneOptions options;
       options.outliers = outliers;
       options.seed = seed;
       const auto scene = test::make_pose_scene(options, 150);
@@ -23,7 +24,7 @@ TEST(PoseRansac, FindsThePoseAmongWrongMatches) {
 }
 
 TEST(PoseRansac, FindsNoneWhereNothingAgrees) {
-  test::Options options;
+  test::SceneOptions options;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     options.seed = seed;
     auto scene = test::make_pose_scene(options, 150);
@@ -55,7 +56,7 @@ TEST(PoseRansac, NeedsThreePointsWithDepthThatAreNotOnALine) {
 }
 
 TEST(PoseRansac, SameSeedSameBytes) {
-  test::Options options;
+  test::SceneOptions options;
   options.outliers = 0.5;
   const auto scene = test::make_pose_scene(options, 200);
   const auto a = find_pose(scene.camera, scene.observations, {.seed = 9}),

@@ -7,7 +7,7 @@ namespace stdc {
 
 /// The derivative of log(exp(step) exp(error)) by the step, twists as in Pose::exp: the inverse left Jacobian
 /// of SE(3) (Barfoot, 'State Estimation for Robotics', ch. 7), by its series, which is exact to 1 % at half a
-/// turn and to 1e-9 at 0.2 rad.
+/// rotation and to 1e-9 at 0.2 rad.
 inline Matrix6d inverse_left_jacobian(const Vector6d& error) {
   Matrix6d ad = Matrix6d::Zero();
   ad.topLeftCorner<3, 3>() = ad.bottomRightCorner<3, 3>() = skew(error.tail<3>());

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -146,7 +147,7 @@ inline std::unique_ptr<Model> make_pose(const Camera& camera, std::span<const Po
   return model;
 }
 
-/// Single-threaded Levenberg-Marquardt; 0 as tolerance: to the bitter end.
+/// Single-threaded Levenberg-Marquardt; 0 as tolerance: until nothing changes.
 inline ceres::Solver::Options options(ceres::LinearSolverType solver, int iterations, double tolerance) {
   ceres::Solver::Options result;
   result.linear_solver_type = solver;

@@ -27,7 +27,7 @@ void check_image(const cv::Mat& image, const char* what) {
   }
   if (std::min(image.cols, image.rows) < kMin || std::max(image.cols, image.rows) > kMax) {
     throw Error(what, fmt::format("an image of {} x {} pixels", image.cols, image.rows),
-                fmt::format("give one of {} to {} pixels each way", kMin, kMax));
+                fmt::format("give one of {} to {} pixels per side", kMin, kMax));
   }
 }
 

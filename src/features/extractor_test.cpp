@@ -196,7 +196,7 @@ double found_again(const Features& a, const Features& b, const FeatureExtractor&
   return possible > 0 ? static_cast<double>(found) / possible : 0;
 }
 
-cv::Mat turned(const cv::Mat& image, double angle) {
+cv::Mat rotated(const cv::Mat& image, double angle) {
   cv::Mat result(image.size(), CV_8UC1);
   const double c = std::cos(angle), s = std::sin(angle);
   const double cx = (image.cols - 1) / 2.0, cy = (image.rows - 1) / 2.0;
@@ -219,7 +219,7 @@ cv::Mat turned(const cv::Mat& image, double angle) {
 
 TEST(Extractor, FindsTurnedPicturesAgain) {
   const cv::Size size(400, 400);
-  const cv::Mat image = turned(test::rectangles_image(400, 400, 31, 120, 2), 0.05);  // softens the steps
+  const cv::Mat image = rotated(test::rectangles_image(400, 400, 31, 120, 2), 0.05);  // softens the steps
   FeatureExtractor extractor({.keypoints = 400});
   const Features original = extractor.extract(image);
   for (const double angle : {0.3, 0.8, 1.9, 3.1, -1.2}) {
@@ -228,7 +228,7 @@ TEST(Extractor, FindsTurnedPicturesAgain) {
       return cv::Point2f(199.5F + c * (p.x - 199.5F) - s * (p.y - 199.5F),
                          199.5F + s * (p.x - 199.5F) + c * (p.y - 199.5F));
     };
-    const Features features = extractor.extract(turned(image, angle));
+    const Features features = extractor.extract(rotated(image, angle));
     EXPECT_GT(found_again(original, features, extractor, move, size), 0.6) << angle;
   }
 }

@@ -22,15 +22,9 @@ KeyframeId add_some(MappedScene& mapped, const View& view, Choose&& choose) {
 }
 
 /// The point that a landmark's observation by a keyframe shows.
-inline int point_seen(const MappedScene& mapped, const Observation& observation) {
-  return mapped.views[observation.keyframe.value].points[observation.keypoint];
-}
+int point_seen(const MappedScene& mapped, const Observation& observation);
 
 /// Whether all observations of a landmark show the same point.
-inline bool is_pure(const MappedScene& mapped, const Landmark& landmark) {
-  const int first = point_seen(mapped, landmark.observations.front());
-  return std::all_of(landmark.observations.begin(), landmark.observations.end(),
-                     [&](const Observation& o) { return point_seen(mapped, o) == first; });
-}
+bool is_pure(const MappedScene& mapped, const Landmark& landmark);
 
 }  // namespace stdc::test

@@ -21,9 +21,9 @@ void make_holes(cv::Mat& mask, int frame, const MaskDegradationSettings& setting
   Random random(static_cast<std::uint64_t>(settings.seed), static_cast<std::uint64_t>(frame) + 1);
   for (int i = 0; i < settings.holes; ++i) {
     const cv::Point centre = dynamic[random.below(static_cast<std::uint32_t>(dynamic.size()))];
-    const int least = (settings.hole_radius + 1) / 2;
-    const auto choices = static_cast<std::uint32_t>(settings.hole_radius - least + 1);
-    cv::circle(mask, centre, least + static_cast<int>(random.below(choices)), cv::Scalar(0), cv::FILLED);
+    const int min_radius = (settings.hole_radius + 1) / 2;
+    const auto choices = static_cast<std::uint32_t>(settings.hole_radius - min_radius + 1);
+    cv::circle(mask, centre, min_radius + static_cast<int>(random.below(choices)), cv::Scalar(0), cv::FILLED);
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace stdc {
 
-/// How to spoil masks, to see what is robust against masks as a network gives them.
+/// How to degrade masks, to measure robustness against the errors of a network.
 struct MaskDegradationSettings {
   STDC_SETTING(int, erosion, 0, "px", 0, 100, "Width removed all round the mask's border");
   STDC_SETTING(int, holes, 0, "count", 0, 1000, "Round holes made in each mask");
@@ -19,14 +19,14 @@ struct MaskDegradationSettings {
   bool any() const { return erosion > 0 || holes > 0 || missing_every > 0 || delay > 0; }
 };
 
-/// A spoiled copy of the mask of frame `frame`: eroded by a disc, with holes whose centres are dynamic pixels
-/// drawn at random; empty if it is one of those to miss (frames n - 1, 2n - 1 ... of every n). The delay is
-/// the caller's. The same mask, frame and settings give the same bytes.
+/// A degraded copy of the mask of frame `frame`: eroded by a disc, with holes whose centres are dynamic
+/// pixels drawn at random; empty if it is one of those to miss (frames n - 1, 2n - 1 ... of every n). The
+/// delay is the caller's. The same mask, frame and settings give the same bytes.
 /// @param mask  CV_8UC1, not zero = dynamic; empty stays empty
 /// @returns CV_8UC1, 255 = dynamic
 cv::Mat degrade(const cv::Mat& mask, int frame, const MaskDegradationSettings& settings);
 
-/// A segmenter whose masks are spoiled.
+/// A segmenter whose masks are degraded.
 class DegradedSegmenter final : public Segmenter {
  public:
   /// Throws Error if a setting is out of range.

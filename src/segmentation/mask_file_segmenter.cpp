@@ -27,10 +27,10 @@ cv::Mat load_mask(const MaskFile& file, cv::Size size) {
   const DecodedImage decoded = decode_png_colour(bytes, size, ColourMode::as_stored);
   if (!decoded.problem.empty()) throw Error(where, decoded.problem, kHint);
   if (decoded.image.channels() != 1) throw Error(where, "is a colour image", kHint);
-  double largest = 0;
-  cv::minMaxLoc(decoded.image, nullptr, &largest);
-  if (largest > 0 && largest < kDynamic) {
-    throw Error(where, fmt::format("holds labels up to {} instead of a mask", largest), kHint);
+  double max_level = 0;
+  cv::minMaxLoc(decoded.image, nullptr, &max_level);
+  if (max_level > 0 && max_level < kDynamic) {
+    throw Error(where, fmt::format("holds labels up to {} instead of a mask", max_level), kHint);
   }
   return decoded.image >= kDynamic;
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <thread>
 #include <vector>
 
-#include "core/test_bytes.hpp"
 #include "simulation/sequence/rendered_sequence.hpp"
 #include "slam/slam.hpp"
 
@@ -15,43 +13,14 @@ struct Footage {
   std::vector<simulation::RenderedFrame> frames;
 
   /// A hundred frames, 1/30 s apart.
-  static const Footage& of_a_desk() {
-    static const Footage footage(simulation::Preset::static_desk, 0, 1, 100);  // rendering takes seconds
-    return footage;
-  }
+  static const Footage& of_a_desk();
   /// A walk through a quarter of a room: 120 frames, 1/15 s apart.
-  static const Footage& of_a_room() {
-    static const Footage footage(simulation::Preset::static_room, 250, 2, 120);
-    return footage;
-  }
+  static const Footage& of_a_room();
 
  private:
-  Footage(simulation::Preset preset, int first, int step, int count) {
-    camera = simulation::default_render_camera();
-    camera.width = 320;
-    camera.height = 240;
-    for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *value *= 0.5;
-    simulation::RenderSettings settings;
-    settings.camera = camera;
-    const simulation::RenderedSequence sequence(preset, settings);
-    frames.resize(count);
-    std::vector<std::thread> threads;
-    threads.reserve(2);
-    for (int start = 0; start < 2; ++start) {
-      threads.emplace_back([&, start] {
-        for (int i = start; i < count; i += 2) frames[i] = sequence.render(first + i * step);
-      });
-    }
-    for (std::thread& thread : threads) thread.join();
-  }
+  Footage(simulation::Preset preset, int first, int step, int count);
 };
 
-inline bool same_bytes(const std::vector<FramePose>& a, const std::vector<FramePose>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].frame != b[i].frame || !same_bytes(a[i].world_from_cam, b[i].world_from_cam)) return false;
-  }
-  return true;
-}
+bool same_bytes(const std::vector<FramePose>& a, const std::vector<FramePose>& b);
 
 }  // namespace stdc::test

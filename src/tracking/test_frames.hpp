@@ -10,21 +10,9 @@
 namespace stdc::test {
 
 /// A view as a frame that is tracked: pose and motion known, its landmarks those that are mapped.
-inline TrackedFrame tracked_frame(const MappedScene& mapped, const View& view, int index) {
-  TrackedFrame frame(mapped.scene.camera, index, index / 30.0, view.features);
-  frame.cam_from_world = view.cam_from_world;
-  frame.set_motion(mapped.scene.camera, view.motion.twist);
-  for (int i = 0; i < view.features->size(); ++i) {
-    frame.landmarks[i] = mapped.landmarks[view.points[i]];
-    frame.inliers += frame.landmarks[i].valid() ? 1 : 0;
-  }
-  return frame;
-}
+TrackedFrame tracked_frame(const MappedScene& mapped, const View& view, int index);
 
 /// The point of the scene that a landmark is, or -1.
-inline int point_of(const MappedScene& mapped, LandmarkId landmark) {
-  const auto place = std::find(mapped.landmarks.begin(), mapped.landmarks.end(), landmark);
-  return place == mapped.landmarks.end() ? -1 : static_cast<int>(place - mapped.landmarks.begin());
-}
+int point_of(const MappedScene& mapped, LandmarkId landmark);
 
 }  // namespace stdc::test

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
+#include "core/random.hpp"
 #include "estimation/kernels/test_kernel_observations.hpp"
 #include "estimation/packed_bundle.hpp"
 #include "estimation/schur_step.hpp"
@@ -20,8 +23,8 @@ BundleProblem make_bundle(int poses, int points) {
   BundleProblem bundle;
   Random random(5);
   for (int k = 0; k < poses; ++k) {
-    const double x = 0.3 * k, turn = 0.1 * k;
-    bundle.cam_from_world.push_back(Pose::exp((Vector6d() << x, 0.1, -0.2, 0.05, turn, 0.02).finished()));
+    const double x = 0.3 * k, angle = 0.1 * k;
+    bundle.cam_from_world.push_back(Pose::exp((Vector6d() << x, 0.1, -0.2, 0.05, angle, 0.02).finished()));
     bundle.pose_fixed.push_back(k < kFixed ? 1 : 0);
   }
   for (int p = 0; p < points; ++p) {

@@ -25,9 +25,10 @@ namespace stdc {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Offsets of the turned pixels in an image; cosine and sine in 1/32768. All in integers: the same everywhere.
-HWY_INLINE void turn(const std::int16_t* xs, const std::int16_t* ys, std::int16_t cosine, std::int16_t sine,
-                     std::int32_t stride, std::int32_t* offsets) {
+// Offsets of the rotated pixels in an image; cosine and sine in 1/32768. All in integers: the same
+// everywhere.
+HWY_INLINE void rotate_tests(const std::int16_t* xs, const std::int16_t* ys, std::int16_t cosine,
+                             std::int16_t sine, std::int32_t stride, std::int32_t* offsets) {
   const hn::ScalableTag<std::int32_t> d32;
   const hn::Rebind<std::int16_t, decltype(d32)> d16;
   const auto c = hn::Set(d16, cosine), s = hn::Set(d16, sine);
@@ -46,7 +47,7 @@ HWY_INLINE void turn(const std::int16_t* xs, const std::int16_t* ys, std::int16_
 void describe_patch(const std::int16_t* xs, const std::int16_t* ys, std::int16_t cosine, std::int16_t sine,
                     const std::uint8_t* centre, std::int32_t stride, std::uint64_t* words) {
   alignas(64) std::int32_t offsets[kPixels];
-  turn(xs, ys, cosine, sine, stride, offsets);
+  rotate_tests(xs, ys, cosine, sine, stride, offsets);
   // Fetching all pixels first and comparing vectors takes half the time of comparing them one by one.
   alignas(64) std::uint8_t pixels[kPixels];
 #pragma GCC unroll 8

@@ -9,7 +9,7 @@
 
 namespace stdc {
 
-/// Radius [px] of the disc that the tests lie in, before and after they are turned.
+/// Radius [px] of the disc that the tests lie in, before and after they are rotated.
 inline constexpr int kBriefRadius = 18;
 
 /// One bit of the descriptor: is the smoothed image darker at (x0, y0) than at (x1, y1)? Pixels from the
@@ -24,7 +24,7 @@ using BriefPattern = std::array<BriefTest, 256>;
 const BriefPattern& brief_pattern();
 
 /// Steered BRIEF (Rublee et al., ORB: an efficient alternative to SIFT or SURF, ICCV 2011): the pattern is
-/// turned by the orientation of the keypoint, exactly and not in steps of 12 degrees, and compared on the
+/// rotated by the orientation of the keypoint, exactly and not in steps of 12 degrees, and compared on the
 /// smoothed image.
 class SteeredBrief {
  public:

@@ -45,7 +45,7 @@ struct KeypointPair {
 std::vector<KeypointPair> match_all(const FrameFeatures& a, std::span<const std::uint8_t> use_a,
                                     const FrameFeatures& b, int max_distance, double max_ratio);
 
-/// Keeps the pairs whose keypoints turned by about the same angle: those in the three fullest of 30 bins of
+/// Keeps the pairs whose keypoints rotated by about the same angle: those in the three fullest of 30 bins of
 /// the angle differences (Mur-Artal et al., 'ORB-SLAM', T-RO 2015).
 /// @param turns  angle of the first minus angle of the second keypoint, per pair [rad]
 /// @returns per pair 1 keep, 0 drop

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/random.hpp"
 #include "features/description/hamming.hpp"
 
@@ -66,14 +69,14 @@ TEST(Matching, AcceptsByDistanceAndByRatioOnTheSameLevel) {
 
 TEST(Matching, MatchAllFindsAPermutation) {
   const FrameFeatures a = random_frame(200, 3);
-  Features turned;
+  Features rotated;
   for (int i = 0; i < a.size(); ++i) {
     const int j = (i * 77 + 5) % a.size();
-    turned.keypoints.push_back(a.keypoint(j));
-    turned.descriptors.push_back(a.descriptor(j));
-    turned.descriptors.back().bits[0] ^= 0xFF;  // eight bits of noise
+    rotated.keypoints.push_back(a.keypoint(j));
+    rotated.descriptors.push_back(a.descriptor(j));
+    rotated.descriptors.back().bits[0] ^= 0xFF;  // eight bits of noise
   }
-  const FrameFeatures b(Camera(), std::move(turned), {}, 1.2, 3, nullptr);
+  const FrameFeatures b(Camera(), std::move(rotated), {}, 1.2, 3, nullptr);
   const std::vector<std::uint8_t> all(a.size(), 1);
   const auto pairs = match_all(a, all, b, 50, 0.8);
   EXPECT_EQ(pairs.size(), 200U);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/every_target.hpp"
+#include "core/random.hpp"
 #include "features/test_images.hpp"
 
 namespace stdc {

@@ -9,7 +9,7 @@
 namespace stdc {
 namespace {
 
-/// A smooth picture of corners that can be evaluated anywhere: turned, scaled and shifted.
+/// A smooth picture of corners that can be evaluated anywhere: rotated, scaled and shifted.
 struct Picture {
   static constexpr int kSize = 96;
   std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(kSize * kSize);
@@ -52,11 +52,11 @@ TEST(PatchAlignment, FollowsAKnownTurnAndScale) {
   view_from_patch *= scale;
   const Picture reference(Eigen::Matrix2f::Identity(), kMiddle, {0, 0});
   const Eigen::Vector2f shift(0.7F, 0.4F);
-  const Picture turned(view_from_patch.inverse(), kMiddle + shift, {0, 0});
+  const Picture rotated(view_from_patch.inverse(), kMiddle + shift, {0, 0});
   PatchTemplate pattern;
   ASSERT_TRUE(pattern.make(cut_patch(reference.view(), 48, 48), view_from_patch));
   Eigen::Vector2f position = kMiddle;
-  ASSERT_TRUE(pattern.align(turned.view(), 3, position));
+  ASSERT_TRUE(pattern.align(rotated.view(), 3, position));
   EXPECT_LT((position - kMiddle - shift).norm(), 0.1F);
 }
 

@@ -34,14 +34,14 @@ void CandidateChooser::choose_improved(std::span<const Corner> corners, const Ce
   if (missing <= 0 || low_.empty()) return;
   assign_regions(corners, area, settings.region_size);
   for (const int i : chosen_) ++high_count_[at(region_of_[at(i)])];
-  // The turn of a corner is the number of candidates in its region before it: the corners of all regions with
-  // the same number of candidates have their turn together.
+  // The rank of a corner is the number of candidates in its region before it: the corners of all regions with
+  // the same number of candidates come together.
   const auto stronger = [&](int a, int b) { return corners[at(a)].score > corners[at(b)].score; };
   std::stable_sort(low_.begin(), low_.end(), stronger);
   turns_.clear();
   for (const int i : low_) turns_.push_back({high_count_[at(region_of_[at(i)])]++, i});
   std::stable_sort(turns_.begin(), turns_.end(),
-                   [](const LowCorner& a, const LowCorner& b) { return a.turn < b.turn; });
+                   [](const LowCorner& a, const LowCorner& b) { return a.rank < b.rank; });
   turns_.resize(std::min(turns_.size(), at(missing)));
   for (const LowCorner& low : turns_) chosen_.push_back(low.index);
   std::sort(chosen_.begin(), chosen_.end());

@@ -32,7 +32,7 @@ class CandidateChooser {
   void assign_regions(std::span<const Corner> corners, const Cell& area, int region_size);
 
   struct LowCorner {
-    int turn;   // candidates that its region has before it
+    int rank;   // candidates that its region has before it
     int index;  // of the corner
   };
   std::vector<int> region_of_;   // by corner

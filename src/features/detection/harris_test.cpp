@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/every_target.hpp"
 #include "features/test_images.hpp"
 

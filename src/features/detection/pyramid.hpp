@@ -20,8 +20,9 @@ int level_count(const FeatureSettings& settings, cv::Size image_size);
 std::vector<cv::Size> level_sizes(const FeatureSettings& settings, cv::Size image_size);
 
 /// Keypoints wanted per level; the sum is settings.keypoints. Improved: proportional to the area of the
-/// level, Eq. 3-5 with s = 1 / scale_factor. Classic: proportional to the scale (Mur-Artal and Tardos,
-/// ORB-SLAM, 2015). A level without room for a patch gets none; its share goes to the others in proportion.
+/// level: total area S of Eq. 3, density X of Eq. 4, budget N_i of Eq. 5, with s = 1 / scale_factor. Classic:
+/// proportional to the scale (Mur-Artal and Tardos, ORB-SLAM, 2015). A level without room for a patch gets
+/// none; its share goes to the others in proportion.
 std::vector<int> level_budgets(const FeatureSettings& settings, const std::vector<cv::Size>& sizes);
 
 /// Level-0 coordinate of a coordinate of a level with that scale; (0, 0) is the centre of the first pixel.

@@ -9,7 +9,7 @@
 
 namespace stdc {
 
-/// A FAST corner on its way through the selection.
+/// A FAST corner that the selection may keep.
 struct Candidate {
   std::int16_t x = 0, y = 0;  ///< [px] of its level
   std::uint8_t score = 0;     ///< FAST score

@@ -5,11 +5,13 @@
 
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
 #include "segmentation/network/kernels/tensor.hpp"
-#include "segmentation/network/stdc_network.hpp"
+#include "segmentation/network/network_precision.hpp"
+#include "segmentation/network/network_step.hpp"
+#include "segmentation/network/network_weights.hpp"
 
 namespace stdc {
 
-/// A tensor on its way through the network. Real values of u8 tensors are scale * level.
+/// A tensor between two layers. Real values of u8 tensors are scale * level.
 struct Activation {
   Tensor tensor;
   float scale = 1;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <span>
 
 #include "segmentation/network/kernels/tensor.hpp"
-#include "segmentation/network/stdc_network.hpp"
+#include "segmentation/network/network_precision.hpp"
+#include "segmentation/network/network_weights.hpp"
 
 namespace stdc {
 

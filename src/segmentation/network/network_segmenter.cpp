@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "segmentation/network/kernels/class_map.hpp"
 #include "segmentation/network/network_settings.hpp"
+#include "segmentation/network/stdc_network.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace stdc {

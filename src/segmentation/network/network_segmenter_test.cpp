@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/test_folder.hpp"
-#include "segmentation/network/inference_thread.hpp"
+#include "segmentation/network/thread_state_guard.hpp"
 #include "segmentation/network/weights_segmenter.hpp"
 
 namespace stdc {
@@ -100,22 +100,23 @@ TEST(NetworkSegmenter, TellsWhatComputes) {
       << segmenter.description();
 }
 
-TEST(InferenceThread, FlushesDenormalsWhileItLives) {
+TEST(ThreadStateGuard, FlushesDenormalsWhileItLives) {
   volatile float tiny = 1e-39F;
   {
-    const InferenceThread scope(1);
+    const ThreadStateGuard scope(1);
     EXPECT_EQ(tiny * 1.0F, 0);
   }
   EXPECT_NE(tiny * 1.0F, 0);
 }
 
-TEST(InferenceThread, SpinningThreadsAreRefused) {
+TEST(ThreadStateGuard, SpinningThreadsAreRefused) {
   unsetenv("OMP_WAIT_POLICY");
   unsetenv("GOMP_SPINCOUNT");
-  EXPECT_NO_THROW(InferenceThread::check(1));
-  EXPECT_NE(message_of([] { InferenceThread::check(2); }).find("OMP_WAIT_POLICY=PASSIVE"), std::string::npos);
+  EXPECT_NO_THROW(ThreadStateGuard::check(1));
+  EXPECT_NE(message_of([] { ThreadStateGuard::check(2); }).find("OMP_WAIT_POLICY=PASSIVE"),
+            std::string::npos);
   setenv("OMP_WAIT_POLICY", "PASSIVE", 1);
-  EXPECT_NO_THROW(InferenceThread::check(2));
+  EXPECT_NO_THROW(ThreadStateGuard::check(2));
   NetworkSegmenter one(kWeights, {NetworkPrecision::fp32, 1, 96, 64}),
       two(kWeights, {NetworkPrecision::fp32, 2, 96, 64});
   const cv::Mat image = blots({96, 64});

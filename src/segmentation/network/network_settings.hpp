@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/setting.hpp"
-#include "segmentation/network/stdc_network.hpp"
+#include "segmentation/network/network_precision.hpp"
 
 namespace stdc {
 

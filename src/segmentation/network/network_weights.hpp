@@ -1,13 +1,10 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "segmentation/network/safetensors.hpp"
 
 namespace stdc {
 
@@ -43,7 +40,7 @@ struct AttentionRefinementWeights {
   ConvolutionWeights convolution, attention;
 };
 
-/// A weights file, read and checked: STDC1-Seg or STDC2-Seg (Fan et al., 'Rethinking BiSeNet For Real-time
+/// The weights of a network: STDC1-Seg or STDC2-Seg (Fan et al., 'Rethinking BiSeNet For Real-time
 /// Semantic Segmentation', CVPR 2021) of any width. Batch normalisations (eps 1e-5) are folded.
 struct NetworkWeights {
   std::string file;  ///< for messages
@@ -66,10 +63,6 @@ struct NetworkWeights {
   /// True if every layer has its range, which int8 needs.
   bool calibrated() const;
 };
-
-/// Reads and checks the weights. Throws Error naming file, tensor and mend.
-NetworkWeights read_network_weights(const SafetensorsFile& file);
-NetworkWeights read_network_weights(const std::filesystem::path& path);
 
 /// Side lengths that the network takes: multiples of 32 within 32..4096. Throws Error naming `where`.
 void check_input_size(cv::Size size, const std::string& where);

@@ -43,7 +43,7 @@ void expect_refused(const std::string& bytes, const std::string& part) {
   const std::string message = refusal(bytes);
   EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' has no '" << part << "'";
   EXPECT_EQ(message.rfind("file", 0), 0U) << message;
-  EXPECT_NE(message.find("; "), std::string::npos) << "no mend: " << message;
+  EXPECT_NE(message.find("; "), std::string::npos) << "no hint: " << message;
 }
 
 TEST(Safetensors, ReadsFloatsHalvesAndMetadata) {

@@ -7,9 +7,9 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "segmentation/network/inference_thread.hpp"
 #include "segmentation/network/network_builder.hpp"
 #include "segmentation/network/network_input.hpp"
+#include "segmentation/network/thread_state_guard.hpp"
 
 namespace stdc {
 namespace {
@@ -190,7 +190,7 @@ struct StdcNetwork::Implementation {
   }
 
   Logits run() {
-    const InferenceThread scope(threads);
+    const ThreadStateGuard scope(threads);
     for (const PlannedStep& step : builder.steps()) step.run();
     return logits;
   }
@@ -206,8 +206,8 @@ struct StdcNetwork::Implementation {
 StdcNetwork::StdcNetwork(const NetworkWeights& weights, cv::Size input, NetworkPrecision precision,
                          int threads) {
   check_input_size(input, "size of the network's input");
-  InferenceThread::check(threads);
-  const InferenceThread scope(threads);  // kernels are made for this number of threads
+  ThreadStateGuard::check(threads);
+  const ThreadStateGuard scope(threads);  // kernels are made for this number of threads
   implementation_ = std::make_unique<Implementation>(weights, input, precision, threads);
   for (const PlannedStep& step : implementation_->builder.steps()) {
     implementation_->about.push_back(step.about);
@@ -232,7 +232,7 @@ Logits StdcNetwork::run(std::span<const float> normalised) {
 }
 
 std::vector<double> StdcNetwork::profile() {
-  const InferenceThread scope(implementation_->threads);
+  const ThreadStateGuard scope(implementation_->threads);
   std::vector<double> milliseconds;
   for (const PlannedStep& step : implementation_->builder.steps()) {
     const double before = thread_cpu_ms();

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
 #include "segmentation/network/test_random_weights.hpp"
 #include "segmentation/network/test_reference_network.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
 namespace {
@@ -49,19 +52,19 @@ Planes normalised(const cv::Mat& bgr, const NetworkWeights& weights) {
 }
 
 template <typename Values>
-double largest(const Values& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
+double max_magnitude(const Values& values) {
+  double max_value = 0;
+  for (const double value : values) max_value = std::max(max_value, std::abs(value));
+  return max_value;
 }
 
 template <typename Values>
 double max_difference(std::span<const float> a, const Values& b) {
   EXPECT_EQ(a.size(), b.size());
-  double most = 0;
+  double max_value = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    most = std::max(most, std::abs(static_cast<double>(a[i]) - b[i]));
-  return most;
+    max_value = std::max(max_value, std::abs(static_cast<double>(a[i]) - b[i]));
+  return max_value;
 }
 
 /// Root mean square of the difference over that of the truth.
@@ -120,7 +123,7 @@ TEST(StdcNetwork, Fp32EqualsPytorch) {
     const Logits logits = network.run(truth.input);
     EXPECT_EQ(logits.height, truth.size.height / 8);
     EXPECT_EQ(logits.width, truth.size.width / 8);
-    EXPECT_LT(max_difference(logits.planes, truth.logits), 1e-4 * largest(truth.logits)) << name;
+    EXPECT_LT(max_difference(logits.planes, truth.logits), 1e-4 * max_magnitude(truth.logits)) << name;
     expect_fast_kernels(network);
   }
 }
@@ -141,7 +144,7 @@ TEST(StdcNetwork, TheImageIsNormalised) {
   const PytorchCase truth("tiny");
   StdcNetwork network(truth.weights, truth.size, NetworkPrecision::fp32);
   const Logits logits = network.run(truth.image());
-  EXPECT_LT(max_difference(logits.planes, truth.logits), 1e-4 * largest(truth.logits));
+  EXPECT_LT(max_difference(logits.planes, truth.logits), 1e-4 * max_magnitude(truth.logits));
 }
 
 /// Widths of whole blocks of 8 and 16 channels, and others, so that all layouts are used.
@@ -156,7 +159,7 @@ TEST(StdcNetwork, Fp32EqualsTheDefinition) {
       StdcNetwork network(weights, image.size(), NetworkPrecision::fp32);
       const Logits logits = network.run(image);
       EXPECT_EQ(logits.classes, classes);
-      EXPECT_LT(max_difference(logits.planes, truth.values), 1e-4 * largest(truth.values)) << stages[0];
+      EXPECT_LT(max_difference(logits.planes, truth.values), 1e-4 * max_magnitude(truth.values)) << stages[0];
       expect_fast_kernels(network);
     }
   }

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "segmentation/network/network_weights.hpp"
+#include "segmentation/network/safetensors.hpp"
 
 namespace stdc {
 

@@ -14,7 +14,7 @@
 
 namespace stdc {
 
-/// Settings of the propagation of masks.
+/// Settings of the mask propagation.
 struct PropagationSettings {
   STDC_SETTING(int, history, 16, "frames", 2, 100, "Frames kept: how late a mask may arrive");
   STDC_SETTING(double, growth, 0.5, "px", 0, 20,
@@ -25,17 +25,19 @@ struct PropagationSettings {
                "Added to depth_tolerance for each frame of the mask's age");
 };
 
-/// Carries the mask of an earlier frame to the newest one, so that nobody has to wait for a segmentation.
+/// Carries the mask of an earlier frame to the newest one, so that the tracker need not wait for a
+/// segmentation.
 ///
 ///     propagator.add_frame(k, grey, depth);            // every frame
 ///     propagator.set_mask(k - 3, mask);                // whenever one arrives, late
 ///     cv::Mat mask = refine(propagator.mask(), ...);   // of frame k, as far as it can be known
 ///
 /// Points of the bodies under the mask are followed from frame to frame by sparse flow on small images (see
-/// follow_patch()); each tile of the mask goes the way of the points around it on the same body or, where
-/// none can be followed, that of a resting surface under the camera's motion. The moved mask gets a margin
+/// follow_patch()); each tile of the mask moves with the points around it on the same body or, where
+/// none can be followed, like a static surface under the camera's motion. The moved mask gets a margin
 /// that grows with its age, and loses the pixels whose depth is not the one expected there, so that it does
-/// not leak onto the background. What comes from behind something or into the view anew is beyond it.
+/// not leak onto the background. It cannot know what newly enters the view or comes out from behind
+/// something.
 ///
 /// Keeps small copies of the frames. Same calls, same bytes; no threads. One object may be used by one thread
 /// at a time.

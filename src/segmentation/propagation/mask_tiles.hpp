@@ -8,7 +8,7 @@
 
 namespace stdc {
 
-/// A square of 2 x 2 cells of a mask, on its way through the frames.
+/// A square of 2 x 2 cells of a mask, moved from frame to frame.
 struct MaskTile {
   static constexpr int kSide = 2;       ///< [cells]
   static constexpr float kUnknown = 0;  ///< depth that is not known

@@ -79,10 +79,10 @@ bool copy_cell(const cv::Mat& original, const MaskTile& tile, cv::Point cell, in
     const std::uint8_t* from = original.ptr(std::clamp(top + i, 0, original.rows - 1));
     std::uint8_t* to = result.ptr(cell.y * scale + i) + cell.x * scale;
     if (inside && scale == 4) {  // of images 640 wide
-      std::uint32_t four = 0;
-      std::memcpy(&four, from + left, 4);
-      std::memcpy(to, &four, 4);
-      any |= four;
+      std::uint32_t pixels = 0;
+      std::memcpy(&pixels, from + left, 4);
+      std::memcpy(to, &pixels, 4);
+      any |= pixels;
       continue;
     }
     for (int k = 0; k < scale; ++k) {
@@ -129,14 +129,14 @@ void settle(const cv::Mat& depth, const cv::Rect& box, const RangeMap& ranges, i
     std::fill(high.begin(), high.end(), T(0));
     std::fill(anything.begin(), anything.end(), std::uint8_t{0});
     for (int x = box.x; x < box.br().x; ++x) {
-      const float lowest = ranges.low(x, y), highest = ranges.high(x, y);
-      if (lowest > highest) continue;
+      const float min_depth = ranges.low(x, y), max_depth = ranges.high(x, y);
+      if (min_depth > max_depth) continue;
       moved = true;
       const auto at = static_cast<std::size_t>((x - box.x) * scale);
       // What cannot be known stays as it was brought.
       fill_cell(&anything[at], scale, static_cast<std::uint8_t>(ranges.is_unknown(x, y) ? 1 : 0));
-      fill_cell(&low[at], scale, to_units(lowest - tolerance));
-      fill_cell(&high[at], scale, to_units(highest + tolerance));
+      fill_cell(&low[at], scale, to_units(min_depth - tolerance));
+      fill_cell(&high[at], scale, to_units(max_depth + tolerance));
     }
     if (!moved) continue;
     for (int row = y * scale; row < (y + 1) * scale; ++row) {

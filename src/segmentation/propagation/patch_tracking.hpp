@@ -10,7 +10,7 @@ namespace stdc {
 /// Follows what is at a cell of one frame to another: inverse compositional Lucas-Kanade on patches of 8 x 8
 /// (Baker and Matthews, IJCV 2004), from the coarsest level to the finest, whatever the brightness. Cells of
 /// the patch whose depth is not that of its middle do not count: at the rim of a moving body they show the
-/// background, which goes another way. The patch is followed back again and must arrive where it came from.
+/// background, which moves differently. The patch is then followed back and must arrive where it started.
 /// @param at    cell of `from`, inside
 /// @param flow  from there [cells]; in: a guess, 0 if there is none; out: what was found
 /// @returns false if the patch shows too little, is not found again, or leaves the image

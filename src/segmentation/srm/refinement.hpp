@@ -6,7 +6,7 @@
 
 namespace stdc {
 
-/// Settings of the Segmentation Refinement Module.
+/// Settings of the Segmentation Refinement Module (SRM).
 struct RefinementSettings {
   STDC_SETTING(int, window, 17, "px", 1, 65, "Side of the window around each dynamic pixel, odd (Alg. 1)");
   STDC_SETTING(double, tau, 0.1, "m", 0, 10, "Max depth difference to the dynamic pixel (Eq. 1)");
@@ -14,10 +14,11 @@ struct RefinementSettings {
   void validate() const;
 };
 
-/// Completes a mask of dynamic pixels by depth: the paper's Segmentation Refinement Module (Alg. 1, Eq. 1),
-/// exactly. A pixel is dynamic afterwards if it was before, or if its depth differs by at most tau from that
-/// of a dynamic pixel whose window holds it. Pixels without depth neither claim nor are claimed. Takes about
-/// half a millisecond at 640 x 480 where the definition, followed literally, takes a hundred times as long.
+/// Completes a mask of dynamic pixels by depth: the paper's Segmentation Refinement Module (SRM: Alg. 1, Eq.
+/// 1), exactly. A pixel is dynamic afterwards if it was before, or if its depth differs by at most tau from
+/// that of a dynamic pixel whose window holds it. Pixels without depth neither claim nor are claimed. Takes
+/// about half a millisecond at 640 x 480 where the definition, followed literally, takes a hundred times as
+/// long.
 /// @param mask   CV_8UC1, not zero = dynamic
 /// @param depth  of the same frame and size: CV_16UC1 in units of 1/`depth_units_per_metre` m, 0 = missing;
 /// or

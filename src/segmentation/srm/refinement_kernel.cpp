@@ -155,16 +155,16 @@ void join_row(RefinementRows<typename Kind::T>& rows, int middle, typename Kind:
   const hn::Rebind<std::int8_t, decltype(d)> d8;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto tau = hn::Set(d, max_difference), none = hn::Set(d, Kind::none());
-  const auto* highest = rows.highest.row(rows.window + 1);
-  const auto* lowest = rows.lowest.row(rows.window + 1);
+  const auto* max_depth = rows.max_depth.row(rows.window + 1);
+  const auto* min_depth = rows.min_depth.row(rows.window + 1);
   std::uint8_t* mask = rows.mask.row(0);
   for (int x = 0; x < rows.width; x += lanes) {
-    const auto high = hn::LoadU(d, highest + x);
+    const auto high = hn::LoadU(d, max_depth + x);
     if (hn::AllFalse(d, hn::Ne(high, none))) continue;
     const auto z = hn::LoadU(d, rows.depth.row(0) + x);
     const auto open = hn::AndNot(load_dynamic<Kind>(mask + x), hn::And(Kind::present(z), hn::Ne(high, none)));
     if (hn::AllFalse(d, open)) continue;
-    const auto low = Kind::mirrored(hn::LoadU(d, lowest + x));
+    const auto low = Kind::mirrored(hn::LoadU(d, min_depth + x));
     const auto near =
         hn::Or(Kind::at_most(Kind::distance(z, high), tau), Kind::at_most(Kind::distance(z, low), tau));
     auto joins = hn::And(open, near);
@@ -189,26 +189,26 @@ void refine_rows(const RefinementTask& task, typename Kind::T tau) {
   const int first = task.top - radius;
   for (int y = first; y < task.bottom + radius; ++y) {
     const int i = (y - first) % window;
-    auto *claimants = rows.claimants.row(i), *highest = rows.highest.row(window + 1);
-    auto* lowest = rows.lowest.row(window + 1);
+    auto *claimants = rows.claimants.row(i), *max_depth = rows.max_depth.row(window + 1);
+    auto* min_depth = rows.min_depth.row(window + 1);
     const int row_size = rows.width + 2 * radius;
     if (y >= task.top && y < task.bottom) {
       fetch_row(task, y, rows);
       find_claimants<Kind>(rows, radius, claimants);
-      std::memcpy(highest, claimants, static_cast<std::size_t>(row_size) * sizeof *highest);
+      std::memcpy(max_depth, claimants, static_cast<std::size_t>(row_size) * sizeof *max_depth);
       const typename Kind::D d;
       const auto none = hn::Set(d, Kind::none());
       for (int x = 0; x < row_size; x += static_cast<int>(hn::Lanes(d))) {
         const auto z = hn::LoadU(d, claimants + x);
-        hn::StoreU(hn::IfThenElse(hn::Eq(z, none), none, Kind::mirrored(z)), d, lowest + x);
+        hn::StoreU(hn::IfThenElse(hn::Eq(z, none), none, Kind::mirrored(z)), d, min_depth + x);
       }
-      run_along<Kind>(highest, rows.width, window);
-      run_along<Kind>(lowest, rows.width, window);
+      run_along<Kind>(max_depth, rows.width, window);
+      run_along<Kind>(min_depth, rows.width, window);
     } else {
-      for (auto* row : {claimants, highest, lowest}) std::fill_n(row, row_size, Kind::none());
+      for (auto* row : {claimants, max_depth, min_depth}) std::fill_n(row, row_size, Kind::none());
     }
-    run_down<Kind>(rows.highest, window, i, rows.width);
-    run_down<Kind>(rows.lowest, window, i, rows.width);
+    run_down<Kind>(rows.max_depth, window, i, rows.width);
+    run_down<Kind>(rows.min_depth, window, i, rows.width);
     const int middle = y - radius;
     if (middle < task.top) continue;
     fetch_row(task, middle, rows);

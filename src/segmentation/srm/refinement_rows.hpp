@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "segmentation/srm/refinement_kernel.hpp"
+#include "segmentation/srm/refinement_task.hpp"
 
 namespace stdc {
 
@@ -23,22 +23,22 @@ class RowBuffer {
 };
 
 /// The rows that one pass over the image keeps. A row of claimants is wider by the radius on either side.
-/// `highest` holds depths so that a running maximum finds the largest, `lowest` so that it finds the
+/// `max_depth` holds depths so that a running maximum finds the largest, `min_depth` so that it finds the
 /// smallest.
 template <typename T>
 struct RefinementRows {
-  RefinementRows(const RefinementTask& task)
+  explicit RefinementRows(const RefinementTask& task)
       : window(2 * task.radius + 1),
         width(task.right - task.left),
         claimants(window, width + 2 * task.radius),
-        highest(window + 2, width + 2 * task.radius),
-        lowest(window + 2, width + 2 * task.radius),
+        max_depth(window + 2, width + 2 * task.radius),
+        min_depth(window + 2, width + 2 * task.radius),
         depth(1, width),
         mask(1, width),
         columns(1, width) {}
   int window, width;
-  RowBuffer<T> claimants;        ///< the last `window` rows, in turn; none: the lowest value there is
-  RowBuffer<T> highest, lowest;  ///< a block of `window` rows, then the running row, then scratch
+  RowBuffer<T> claimants;             ///< the last `window` rows, in turn; none: the lowest value there is
+  RowBuffer<T> max_depth, min_depth;  ///< a block of `window` rows, then the running row, then scratch
   RowBuffer<T> depth;
   RowBuffer<std::uint8_t> mask, columns;
 };

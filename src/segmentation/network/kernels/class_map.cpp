@@ -79,10 +79,10 @@ std::uint8_t ClassMap::pixel(const Sample& sample) const {
     return difference > 0 || (dynamic_[0] && difference == 0) ? kDynamic : 0;
   }
   std::size_t best = 0;
-  float most = value(0);
+  float best_logit = value(0);
   for (std::size_t k = 1; k < dynamic_.size(); ++k) {
     const float other = value(k);
-    if (other > most) best = k, most = other;
+    if (other > best_logit) best = k, best_logit = other;
   }
   return dynamic_[best] ? kDynamic : 0;
 }

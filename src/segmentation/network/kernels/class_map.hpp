@@ -3,7 +3,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "segmentation/network/stdc_network.hpp"
+#include "segmentation/network/logits.hpp"
 
 namespace stdc {
 

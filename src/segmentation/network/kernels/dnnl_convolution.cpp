@@ -45,9 +45,9 @@ QuantisedWeights quantise(const ConvolutionWeights& layer, int levels) {
   result.levels.resize(layer.weights.size());
   for (std::size_t o = 0; o < layer.bias.size(); ++o) {
     const float* weights = &layer.weights[o * count];
-    float largest = 0;
-    for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(weights[i]));
-    const float scale = largest > 0 ? largest / static_cast<float>(levels) : 1;
+    float max_weight = 0;
+    for (std::size_t i = 0; i < count; ++i) max_weight = std::max(max_weight, std::abs(weights[i]));
+    const float scale = max_weight > 0 ? max_weight / static_cast<float>(levels) : 1;
     result.scales.push_back(scale);
     for (std::size_t i = 0; i < count; ++i) {
       const auto level =

@@ -57,18 +57,18 @@ Filled fill(TensorArena& arena, TensorShape shape, ElementType type, int block, 
 }
 
 double max_difference(const TensorView& view, float scale, const Planes& truth) {
-  double most = 0;
+  double max_error = 0;
   for (int c = 0; c < truth.channels; ++c) {
     for (int y = 0; y < truth.height; ++y) {
       for (int x = 0; x < truth.width; ++x) {
         const double value = view.type == ElementType::u8
                                  ? scale * element<std::uint8_t>(view, c, y, x)
                                  : static_cast<double>(element<float>(view, c, y, x));
-        most = std::max(most, std::abs(value - truth.at(c, y, x)));
+        max_error = std::max(max_error, std::abs(value - truth.at(c, y, x)));
       }
     }
   }
-  return most;
+  return max_error;
 }
 
 ConvolutionOptions same_padding(const ConvolutionWeights& layer) {

@@ -24,13 +24,13 @@ HWY_INLINE hn::Vec<Floats> load_level(const std::uint8_t* from) {
   return hn::ConvertTo(Floats(), hn::PromoteTo(Ints(), hn::LoadU(Bytes(), from)));
 }
 
-HWY_INLINE void store_level(hn::Vec<Floats> value, hn::Vec<Floats> most, std::uint8_t* to) {
-  const auto bounded = hn::Min(hn::Max(value, hn::Zero(Floats())), most);
+HWY_INLINE void store_level(hn::Vec<Floats> value, hn::Vec<Floats> max_level, std::uint8_t* to) {
+  const auto bounded = hn::Min(hn::Max(value, hn::Zero(Floats())), max_level);
   hn::StoreU(hn::DemoteTo(Bytes(), hn::NearestInt(bounded)), Bytes(), to);
 }
 
-HWY_INLINE std::uint8_t to_level(float value, float most) {
-  return static_cast<std::uint8_t>(std::nearbyint(std::min(std::max(value, 0.0F), most)));
+HWY_INLINE std::uint8_t to_level(float value, float max_level) {
+  return static_cast<std::uint8_t>(std::nearbyint(std::min(std::max(value, 0.0F), max_level)));
 }
 
 /// The taps of one output pixel of the pooling, clipped to the source.
@@ -39,7 +39,8 @@ struct Window {
 };
 
 template <typename T>
-void pool_pixel(const TensorView& source, int group, const Window& window, float factor, float most, T* out) {
+void pool_pixel(const TensorView& source, int group, const Window& window, float factor, float max_level,
+                T* out) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const T* data = static_cast<const T*>(source.data);
@@ -57,7 +58,7 @@ void pool_pixel(const TensorView& source, int group, const Window& window, float
       }
     }
     if constexpr (sizeof(T) == 1) {
-      store_level(hn::Mul(sum, hn::Set(d, factor)), hn::Set(d, most), out + c);
+      store_level(hn::Mul(sum, hn::Set(d, factor)), hn::Set(d, max_level), out + c);
     } else {
       hn::StoreU(hn::Mul(sum, hn::Set(d, factor)), d, out + c);
     }
@@ -69,7 +70,7 @@ void pool_pixel(const TensorView& source, int group, const Window& window, float
         sum += data[source.offset(group, y, x) + static_cast<std::size_t>(c)];
     }
     if constexpr (sizeof(T) == 1) {
-      out[c] = to_level(sum * factor, most);
+      out[c] = to_level(sum * factor, max_level);
     } else {
       out[c] = sum * factor;
     }
@@ -78,14 +79,14 @@ void pool_pixel(const TensorView& source, int group, const Window& window, float
 
 template <typename T>
 void pool(const TensorView& source, const TensorView& target, float ratio, int levels) {
-  const float factor = ratio / 9, most = static_cast<float>(levels);
+  const float factor = ratio / 9, max_level = static_cast<float>(levels);
   for (int g = 0; g < target.groups(); ++g) {
     for (int y = 0; y < target.shape.height; ++y) {
       T* out = static_cast<T*>(target.data) + target.offset(g, y, 0);
       for (int x = 0; x < target.shape.width; ++x, out += target.pixel_stride) {
         const Window window{std::max(2 * y - 1, 0), std::min(2 * y + 2, source.shape.height),
                             std::max(2 * x - 1, 0), std::min(2 * x + 2, source.shape.width)};
-        pool_pixel(source, g, window, factor, most, out);
+        pool_pixel(source, g, window, factor, max_level, out);
       }
     }
   }
@@ -99,14 +100,14 @@ void pool_levels(const TensorView& source, const TensorView& target, float ratio
 void rescale_levels(const TensorView& source, const TensorView& target, float ratio, int levels) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto factor = hn::Set(d, ratio), most = hn::Set(d, static_cast<float>(levels));
+  const auto factor = hn::Set(d, ratio), max_level = hn::Set(d, static_cast<float>(levels));
   for (int g = 0; g < source.groups(); ++g) {
     const std::uint8_t* from = source.bytes() + source.offset(g, 0, 0);
     std::uint8_t* to = target.bytes() + target.offset(g, 0, 0);
     for (std::size_t p = 0; p < source.shape.pixels(); ++p) {
       int c = 0;
       for (; c + lanes <= source.block; c += lanes) {
-        store_level(hn::Mul(load_level(from + c), factor), most, to + c);
+        store_level(hn::Mul(load_level(from + c), factor), max_level, to + c);
       }
       for (; c < source.block; ++c) to[c] = to_level(from[c] * ratio, static_cast<float>(levels));
       from += source.pixel_stride;
@@ -145,13 +146,13 @@ void combine_pixel(const Combination& job, int group, const float* from, const f
   const int lanes = static_cast<int>(hn::Lanes(d)), block = job.source.block;
   const float* gain = job.gain.data() + static_cast<std::ptrdiff_t>(group) * block;
   const float* offset = job.offset.data() + static_cast<std::ptrdiff_t>(group) * block;
-  const float most = static_cast<float>(job.levels);
+  const float max_level = static_cast<float>(job.levels);
   int c = 0;
   for (; c + lanes <= block; c += lanes) {
     auto value = hn::Add(hn::Mul(hn::LoadU(d, from + c), hn::LoadU(d, gain + c)), hn::LoadU(d, offset + c));
     if (addend != nullptr) value = hn::Add(value, hn::LoadU(d, addend + c));
     if constexpr (sizeof(T) == 1) {
-      store_level(hn::Mul(value, hn::Set(d, job.inverse_scale)), hn::Set(d, most), to + c);
+      store_level(hn::Mul(value, hn::Set(d, job.inverse_scale)), hn::Set(d, max_level), to + c);
     } else {
       hn::StoreU(value, d, to + c);
     }
@@ -160,7 +161,7 @@ void combine_pixel(const Combination& job, int group, const float* from, const f
     float value = from[c] * gain[c] + offset[c];
     if (addend != nullptr) value += addend[c];
     if constexpr (sizeof(T) == 1) {
-      to[c] = to_level(value * job.inverse_scale, most);
+      to[c] = to_level(value * job.inverse_scale, max_level);
     } else {
       to[c] = value;
     }

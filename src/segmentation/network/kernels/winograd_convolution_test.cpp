@@ -46,7 +46,7 @@ TEST(WinogradConvolution, EqualsTheDefinition) {
         }
       }
       const Planes truth = ReferenceNetwork::convolve(layer, values);
-      const double most = *std::max_element(truth.values.begin(), truth.values.end());
+      const double max_value = *std::max_element(truth.values.begin(), truth.values.end());
       on_every_target([&] {
         const Tensor whole = arena.make({outputs + 16, height, width}, ElementType::f32, 8);
         std::fill_n(whole.view.floats(), whole.view.shape.elements(), -7.0F);
@@ -63,7 +63,8 @@ TEST(WinogradConvolution, EqualsTheDefinition) {
             }
           }
         }
-        EXPECT_LT(worst, 2e-5 * most + 1e-5) << outputs << "<-" << inputs << ", " << width << " x " << height;
+        EXPECT_LT(worst, 2e-5 * max_value + 1e-5)
+            << outputs << "<-" << inputs << ", " << width << " x " << height;
         for (const int c : {0, 7, outputs + 8, outputs + 15}) {
           EXPECT_EQ(element(whole.view, c, height - 1, width - 1), -7);
         }

@@ -1,4 +1,4 @@
-#include "segmentation/network/network_weights.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ void expect_refused(const RandomWeights& weights, const std::string& part) {
   EXPECT_EQ(message.rfind("random weights", 0), 0U) << message;
 }
 
-TEST(NetworkWeights, ReadsBothArchitectures) {
+TEST(WeightsReader, ReadsBothArchitectures) {
   for (const bool stdc2 : {false, true}) {
     const NetworkWeights network = narrow(stdc2).read();
     EXPECT_EQ(network.architecture, stdc2 ? "STDC2-Seg" : "STDC1-Seg");
@@ -40,7 +40,7 @@ TEST(NetworkWeights, ReadsBothArchitectures) {
   }
 }
 
-TEST(NetworkWeights, FoldsBatchNormalisation) {
+TEST(WeightsReader, FoldsBatchNormalisation) {
   const RandomWeights weights = narrow();
   const auto value = [&](const std::string& tensor) {
     return static_cast<double>(weights.tensors.at(tensor).values[1]);
@@ -53,7 +53,7 @@ TEST(NetworkWeights, FoldsBatchNormalisation) {
   EXPECT_NEAR(layer.weights[8 + 1], weights.tensors.at(name + "conv.weight").values[8 + 1] * factor, 1e-6);
 }
 
-TEST(NetworkWeights, RefusesWrongMetadata) {
+TEST(WeightsReader, RefusesWrongMetadata) {
   const auto with = [](const std::string& key, const std::string& value) {
     RandomWeights weights = narrow();
     weights.metadata[key] = value;
@@ -84,7 +84,7 @@ TEST(NetworkWeights, RefusesWrongMetadata) {
   }
 }
 
-TEST(NetworkWeights, RefusesWrongTensors) {
+TEST(WeightsReader, RefusesWrongTensors) {
   for (const char* name : {"backbone.stage1.conv.weight", "backbone.stage5.1.blocks.3.bn.running_var",
                            "context.arm4.attention.bn.bias", "ffm.excite.weight", "head.classify.bias"}) {
     RandomWeights weights = narrow();
@@ -110,7 +110,7 @@ TEST(NetworkWeights, RefusesWrongTensors) {
   expect_refused(weights, "has no tensor 'backbone.stage3.2.blocks.0.conv.weight'");
 }
 
-TEST(NetworkWeights, RefusesSumsOfDifferentWidths) {
+TEST(WeightsReader, RefusesSumsOfDifferentWidths) {
   RandomWeights weights = narrow();
   const RandomWeights wider(false, {{4, 8}, {16, 16, 32}, 16, 16, 4, 8, 2});
   for (const char* suffix : {"conv.weight", "bn.weight", "bn.bias", "bn.running_mean", "bn.running_var"}) {
@@ -120,13 +120,13 @@ TEST(NetworkWeights, RefusesSumsOfDifferentWidths) {
   expect_refused(weights, "layer 'context.pool': has 16 channels where 8 are added to it");
 }
 
-TEST(NetworkWeights, KnowsWhetherItIsCalibrated) {
+TEST(WeightsReader, KnowsWhetherItIsCalibrated) {
   RandomWeights weights = narrow();
   weights.metadata.erase("activation_ranges");
   EXPECT_FALSE(weights.read().calibrated());
 }
 
-TEST(NetworkWeights, IgnoresOtherTensors) {
+TEST(WeightsReader, IgnoresOtherTensors) {
   RandomWeights weights = narrow();
   weights.tensors["detail.conv.weight"] = {{1, 1}, {0.5F}};
   EXPECT_EQ(message_of([&] { weights.read(); }), "");

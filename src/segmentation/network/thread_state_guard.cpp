@@ -1,4 +1,4 @@
-#include "segmentation/network/inference_thread.hpp"
+#include "segmentation/network/thread_state_guard.hpp"
 
 #include <fmt/format.h>
 #include <oneapi/dnnl/dnnl_config.h>
@@ -34,7 +34,7 @@ bool variable_is(const char* name, std::string_view wanted) {
 
 }  // namespace
 
-InferenceThread::InferenceThread(int threads) : threads_before_(omp_get_max_threads()) {
+ThreadStateGuard::ThreadStateGuard(int threads) : threads_before_(omp_get_max_threads()) {
 #if defined(__SSE2__)
   constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
   control_ = _mm_getcsr();
@@ -43,14 +43,14 @@ InferenceThread::InferenceThread(int threads) : threads_before_(omp_get_max_thre
   omp_set_num_threads(threads);
 }
 
-InferenceThread::~InferenceThread() {
+ThreadStateGuard::~ThreadStateGuard() {
   omp_set_num_threads(threads_before_);
 #if defined(__SSE2__)
   _mm_setcsr(control_);
 #endif
 }
 
-void InferenceThread::check(int threads) {
+void ThreadStateGuard::check(int threads) {
   if (threads <= 1 || variable_is("OMP_WAIT_POLICY", "passive") || variable_is("GOMP_SPINCOUNT", "0")) return;
   throw Error(
       "segmentation.threads",

@@ -1,0 +1,53 @@
+#include "slam/test_walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace stdc::test {
+
+Walk::Walk(Settings settings, std::unique_ptr<Segmenter> segmenter)
+    : slam(Footage::of_a_room().camera, small(settings), std::move(segmenter)) {}
+
+TrackingResult Walk::see(int place, const Change& change) {
+  const simulation::RenderedFrame& frame = Footage::of_a_room().frames[place];
+  RgbdImage image{time, frame.image.colour.clone(), frame.image.depth.clone()};
+  time += kStep;
+  change(image);
+  TrackingResult result = slam.track(image);
+  EXPECT_EQ(result.status == TrackingStatus::ok, result.cam_from_world.has_value());
+  EXPECT_EQ(result.status == TrackingStatus::ok, result.map.valid());
+  if (result.status == TrackingStatus::ok) places.push_back(place);
+  results.push_back(result);
+  return result;
+}
+
+void Walk::go(int from, int to, const Change& change) {
+  const int step = from <= to ? 1 : -1;
+  for (int place = from; place != to + step; place += step) see(place, change);
+}
+
+int Walk::count(TrackingStatus status, std::size_t from) const {
+  return static_cast<int>(std::count_if(results.begin() + static_cast<std::ptrdiff_t>(from), results.end(),
+                                        [&](const TrackingResult& r) { return r.status == status; }));
+}
+
+double Walk::worst_error(MapId map, int origin) {
+  const auto& truth = Footage::of_a_room().frames;
+  const std::vector<FramePose> poses = slam.trajectory();
+  EXPECT_EQ(poses.size(), places.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (poses[i].map != map) continue;
+    const Pose expected = truth[origin].world_from_cam.inverse() * truth[places[i]].world_from_cam;
+    worst = std::max(worst, (expected.translation - poses[i].world_from_cam.translation).norm());
+  }
+  return worst;
+}
+
+Settings Walk::small(Settings settings) {
+  settings.features.keypoints = 500;
+  return settings;
+}
+
+}  // namespace stdc::test
