@@ -18,7 +18,7 @@ int find_in_keyframe(const Keyframe& keyframe, const Landmark& landmark, const C
   const Eigen::Vector3d point = keyframe.cam_from_world * landmark.position;
   if (!(point.z() > 0.05)) return -1;
   const Eigen::Vector2d pixel = camera.project(point);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera.width && pixel.y() < camera.height)) return -1;
+  if (!camera.shows(pixel)) return -1;
   const Eigen::Vector3f ray = (landmark.position - keyframe.cam_from_world.centre()).cast<float>();
   const float distance = ray.norm();
   if (distance < 0.8F * landmark.min_distance || distance > 1.2F * landmark.max_distance) return -1;

@@ -37,13 +37,28 @@ float median_of_positive(std::vector<float> values, float otherwise) {
   return *middle;
 }
 
+/// Drops the keypoints that a wide fisheye sees beside or behind the camera: they have no ideal pixel.
+Features with_ideal_pixels(const Camera& camera, Features features) {
+  if (camera.lens != LensModel::equidistant) return features;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < features.keypoints.size(); ++i) {
+    if (!camera.has_ideal({features.keypoints[i].x, features.keypoints[i].y})) continue;
+    features.keypoints[kept] = features.keypoints[i];
+    features.descriptors[kept++] = features.descriptors[i];
+  }
+  features.keypoints.resize(kept);
+  features.descriptors.resize(kept);
+  return features;
+}
+
 }  // namespace
 
 FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth,
                              double scale_factor, int levels, const Pyramid* pyramid)
-    : keypoints_(std::move(features.keypoints)),
-      descriptors_(std::move(features.descriptors)),
-      scale_factor_(scale_factor) {
+    : scale_factor_(scale_factor) {
+  features = with_ideal_pixels(camera, std::move(features));
+  keypoints_ = std::move(features.keypoints);
+  descriptors_ = std::move(features.descriptors);
   const std::size_t count = keypoints_.size();
   pixels_.reserve(count);
   depths_.reserve(count);

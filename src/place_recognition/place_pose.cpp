@@ -90,8 +90,7 @@ std::optional<SearchWindow> expected_at(const Camera& camera, const Landmark& la
   const Eigen::Vector3d point = cam_from_world * landmark.position;
   if (!(point.z() > 0.05)) return {};
   const Eigen::Vector2f pixel = image.motion.project(camera, point).cast<float>();
-  const auto width = static_cast<float>(camera.width), height = static_cast<float>(camera.height);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < width && pixel.y() < height)) return {};
+  if (!camera.shows(pixel.cast<double>())) return {};
   const Eigen::Vector3f ray = (landmark.position - cam_from_world.centre()).cast<float>();
   const float distance = ray.norm();
   if (distance < 0.8F * landmark.min_distance || distance > 1.2F * landmark.max_distance) return {};

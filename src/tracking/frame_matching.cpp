@@ -16,7 +16,7 @@ std::optional<Eigen::Vector2f> project_inside(const Camera& camera, const Tracke
   const Eigen::Vector3d point = frame.cam_from_world * position;
   if (!(point.z() > kNearest)) return {};
   const Eigen::Vector2d pixel = frame.motion.project(camera, point);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera.width && pixel.y() < camera.height)) return {};
+  if (!camera.shows(pixel)) return {};
   return pixel.cast<float>();
 }
 
