@@ -12,6 +12,11 @@
 namespace stdc {
 namespace {
 
+Lens lens_of(const Camera& c) {
+  return {
+      c.lens == LensModel::equidistant, c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6, Camera::kMaxAngle};
+}
+
 void require(bool condition, const std::string& where, const char* problem, const char* hint) {
   if (!condition) throw Error(where, problem, hint);
 }
@@ -27,19 +32,19 @@ const char* Camera::lens_name() const {
 Eigen::Vector2d Camera::distort(const Eigen::Vector2d& ideal) const {
   if (!has_distortion()) return ideal;
   const Eigen::Vector2d n =
-      distort_normalised(*this, {(ideal.x() - cx) / fx, (ideal.y() - cy) / fy}, nullptr);
+      distort_normalised(lens_of(*this), {(ideal.x() - cx) / fx, (ideal.y() - cy) / fy}, nullptr);
   return {fx * n.x() + cx, fy * n.y() + cy};
 }
 
 Eigen::Vector2d Camera::undistort(const Eigen::Vector2d& raw) const {
   if (!has_distortion()) return raw;
-  const Eigen::Vector2d n = undistort_normalised(*this, {(raw.x() - cx) / fx, (raw.y() - cy) / fy});
+  const Eigen::Vector2d n = undistort_normalised(lens_of(*this), {(raw.x() - cx) / fx, (raw.y() - cy) / fy});
   return {fx * n.x() + cx, fy * n.y() + cy};
 }
 
 bool Camera::has_ideal(const Eigen::Vector2d& raw) const {
   if (lens != LensModel::equidistant) return true;
-  const double limit = distort_normalised(*this, {std::tan(kMaxAngle), 0}, nullptr).x();
+  const double limit = distort_normalised(lens_of(*this), {std::tan(kMaxAngle), 0}, nullptr).x();
   return Eigen::Vector2d((raw.x() - cx) / fx, (raw.y() - cy) / fy).norm() < limit;
 }
 
@@ -52,9 +57,9 @@ bool Camera::shows_beyond(const Eigen::Vector2d& ideal) const {
 
 double Camera::stretch(const Eigen::Vector2d& raw) const {
   if (!has_distortion()) return 1;
-  const Eigen::Vector2d n = undistort_normalised(*this, {(raw.x() - cx) / fx, (raw.y() - cy) / fy});
+  const Eigen::Vector2d n = undistort_normalised(lens_of(*this), {(raw.x() - cx) / fx, (raw.y() - cy) / fy});
   Eigen::Matrix2d jacobian;
-  distort_normalised(*this, n, &jacobian);
+  distort_normalised(lens_of(*this), n, &jacobian);
   constexpr double kNotWorthIt = 1.2;
   return std::max(1.0, 1 / (kNotWorthIt * std::sqrt(std::max(jacobian.determinant(), 1e-4))));
 }
@@ -80,7 +85,9 @@ void Camera::validate(const std::string& where) const {
           "rotation is none of 0, 90, 180, 270", "give the degrees clockwise that turn the image upright");
   require(lens == LensModel::brown_conrady || (p1 == 0 && p2 == 0 && k5 == 0 && k6 == 0), where,
           "an equidistant lens has k1, k2, k3, k4 only", "leave p1, p2, k5, k6 out or name another lens");
-  if (const auto fault = find_lens_fault(*this)) {
+  if (!has_distortion()) return;
+  const LensImage image{Eigen::Vector2d(width, height), {fx, fy}, {cx, cy}};
+  if (const auto fault = find_lens_fault(lens_of(*this), image)) {
     throw Error(where,
                 fmt::format("{} at pixel ({:.0f}, {:.0f}) of the image ({} lens)", fault->problem,
                             fault->raw.x(), fault->raw.y(), lens_name()),

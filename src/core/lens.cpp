@@ -12,20 +12,25 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 /// The denominator of the rational model.
-double denominator(const Camera& c, double r2) { return 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6)); }
+double denominator(const Lens& c, double r2) { return 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6)); }
 
-/// Brown 1966 with OpenCV's denominator. Without k4..k6 the denominator is 1 and changes no bit.
-Vector2d distort_brown(const Camera& c, const Vector2d& n, Matrix2d* jacobian) {
+/// Brown 1966 with OpenCV's denominator.
+Vector2d distort_brown(const Lens& c, const Vector2d& n, Matrix2d* jacobian) {
   const double x = n.x(), y = n.y(), r2 = x * x + y * y;
-  const double above = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3)), below = denominator(c, r2);
-  const double radial = above / below;
+  const double above = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
+  const bool rational = c.k4 != 0 || c.k5 != 0 || c.k6 != 0;  // the usual lens is spared the divisions
+  const double below = rational ? denominator(c, r2) : 1;
+  const double radial = rational ? above / below : above;
   if (jacobian != nullptr) {
     const double above_slope = c.k1 + r2 * (2 * c.k2 + 3 * c.k3 * r2);
-    const double below_slope = c.k4 + r2 * (2 * c.k5 + 3 * c.k6 * r2);
-    const double slope = 2 * (above_slope - radial * below_slope) / below;  // d radial / d r2, times 2
-    *jacobian << radial + x * x * slope + 2 * c.p1 * y + 6 * c.p2 * x,      //
-        x * y * slope + 2 * c.p1 * x + 2 * c.p2 * y,                        //
-        x * y * slope + 2 * c.p1 * x + 2 * c.p2 * y,                        //
+    double slope = 2 * above_slope;  // d radial / d r2, times 2
+    if (rational) {
+      const double below_slope = c.k4 + r2 * (2 * c.k5 + 3 * c.k6 * r2);
+      slope = 2 * (above_slope - radial * below_slope) / below;
+    }
+    *jacobian << radial + x * x * slope + 2 * c.p1 * y + 6 * c.p2 * x,  //
+        x * y * slope + 2 * c.p1 * x + 2 * c.p2 * y,                    //
+        x * y * slope + 2 * c.p1 * x + 2 * c.p2 * y,                    //
         radial + y * y * slope + 6 * c.p1 * y + 2 * c.p2 * x;
   }
   return {x * radial + 2 * c.p1 * x * y + c.p2 * (r2 + 2 * x * x),
@@ -33,13 +38,13 @@ Vector2d distort_brown(const Camera& c, const Vector2d& n, Matrix2d* jacobian) {
 }
 
 /// Distance from the centre of what is `theta` [rad] off the axis, and its derivative.
-double equidistant_radius(const Camera& c, double theta, double& slope) {
+double equidistant_radius(const Lens& c, double theta, double& slope) {
   const double t2 = theta * theta;
   slope = 1 + t2 * (3 * c.k1 + t2 * (5 * c.k2 + t2 * (7 * c.k3 + t2 * 9 * c.k4)));
   return theta * (1 + t2 * (c.k1 + t2 * (c.k2 + t2 * (c.k3 + t2 * c.k4))));
 }
 
-Vector2d distort_equidistant(const Camera& c, const Vector2d& n, Matrix2d* jacobian) {
+Vector2d distort_equidistant(const Lens& c, const Vector2d& n, Matrix2d* jacobian) {
   const double r = n.norm();
   if (r < 1e-9) {
     if (jacobian != nullptr) jacobian->setIdentity();
@@ -55,11 +60,11 @@ Vector2d distort_equidistant(const Camera& c, const Vector2d& n, Matrix2d* jacob
   return n * (radius / r);
 }
 
-Vector2d undistort_equidistant(const Camera& c, const Vector2d& raw) {
+Vector2d undistort_equidistant(const Lens& c, const Vector2d& raw) {
   const double radius = raw.norm();
   if (radius < 1e-9) return raw;
   // Bisection keeps Newton between angles whose radii lie on both sides.
-  double low = 0, high = Camera::kMaxAngle, slope = 1;
+  double low = 0, high = c.max_angle, slope = 1;
   if (equidistant_radius(c, high, slope) <= radius) return raw * (std::tan(high) / radius);
   double theta = std::min(radius, high);
   constexpr int kMaxIterations = 60;
@@ -77,7 +82,7 @@ Vector2d undistort_equidistant(const Camera& c, const Vector2d& raw) {
 
 /// Newton's method from `n`, each step halved until it comes nearer. True if it arrived without leaving the
 /// region where the determinant is positive.
-bool solve_brown(const Camera& c, const Vector2d& raw, Vector2d& n) {
+bool solve_brown(const Lens& c, const Vector2d& raw, Vector2d& n) {
   constexpr int kMaxIterations = 20, kMaxHalvings = 8;
   Matrix2d jacobian, next_jacobian;
   Vector2d error = distort_brown(c, n, &jacobian) - raw;
@@ -102,7 +107,7 @@ bool solve_brown(const Camera& c, const Vector2d& raw, Vector2d& n) {
 }
 
 /// Follows the lens from the centre: slow, and does not get onto another branch.
-Vector2d follow_brown(const Camera& c, const Vector2d& raw) {
+Vector2d follow_brown(const Lens& c, const Vector2d& raw) {
   constexpr int kSteps = 64;
   Vector2d n = Vector2d::Zero();
   for (int i = 1; i <= kSteps; ++i) {
@@ -113,72 +118,75 @@ Vector2d follow_brown(const Camera& c, const Vector2d& raw) {
   return n;
 }
 
-struct Ray {
-  Vector2d normalised, raw;
-};
-
-/// Looks for folds and poles; `fault` gets the first of the direction. `last`: out, the ray before the edge.
-std::optional<LensFault> follow_ray(const Camera& c, const Vector2d& direction) {
+/// The first fold or pole in a direction, if it lies inside the image.
+std::optional<LensFault> follow_ray(const Lens& c, const LensImage& image, const Vector2d& direction) {
   constexpr double kStep = 0.005;  // [rad]
-  Vector2d last(c.cx, c.cy);
-  for (double theta = kStep; theta <= Camera::kMaxAngle; theta += kStep) {
+  Vector2d last = image.centre;
+  for (double theta = kStep; theta <= c.max_angle; theta += kStep) {
     const Vector2d n = direction * std::tan(theta);
     Matrix2d jacobian;
     const Vector2d d = distort_normalised(c, n, &jacobian);
-    const Vector2d raw(c.fx * d.x() + c.cx, c.fy * d.y() + c.cy);
-    const bool brown = c.lens == LensModel::brown_conrady;
+    const Vector2d raw = image.centre + image.focal.cwiseProduct(d);
+    const bool brown = !c.equidistant;
     if (brown && !(denominator(c, n.squaredNorm()) > 0))
       return LensFault{last, "the lens distortion has a pole"};
     if (!(jacobian.determinant() > 0) || !(d.dot(direction) > 0))
       return LensFault{last, "the lens distortion folds back"};
-    if (raw.x() < 0 || raw.y() < 0 || raw.x() > c.width - 1 || raw.y() > c.height - 1) return {};
+    if (raw.x() < 0 || raw.y() < 0 || raw.x() > image.size.x() - 1 || raw.y() > image.size.y() - 1) return {};
     last = raw;
   }
-  if (c.lens == LensModel::equidistant) return {};  // what is beyond has no ideal pixel and is not used
+  if (c.equidistant) return {};  // what is beyond has no ideal pixel and is not used
   return LensFault{last, "the lens distortion reaches no further"};
+}
+
+/// The first pixel of a grid whose ray is not found.
+std::optional<LensFault> find_lost_pixel(const Lens& lens, const LensImage& image) {
+  constexpr int kColumns = 32, kRows = 24;
+  const double rim = distort_normalised(lens, {std::tan(lens.max_angle), 0}, nullptr).x();
+  for (int row = 0; row <= kRows; ++row) {
+    for (int column = 0; column <= kColumns; ++column) {
+      const Vector2d share(static_cast<double>(column) / kColumns, static_cast<double>(row) / kRows);
+      const Vector2d pixel = share.cwiseProduct(image.size - Vector2d::Ones());
+      const Vector2d raw = (pixel - image.centre).cwiseQuotient(image.focal);
+      if (lens.equidistant && raw.norm() >= rim) continue;
+      const Vector2d again = distort_normalised(lens, undistort_normalised(lens, raw), nullptr);
+      if (!((again - raw).cwiseProduct(image.focal).norm() < 1e-6))
+        return LensFault{pixel, "the lens distortion cannot be inverted"};
+    }
+  }
+  return {};
 }
 
 }  // namespace
 
-Vector2d distort_normalised(const Camera& camera, const Vector2d& ideal, Matrix2d* jacobian) {
-  return camera.lens == LensModel::equidistant ? distort_equidistant(camera, ideal, jacobian)
-                                               : distort_brown(camera, ideal, jacobian);
+Vector2d distort_normalised(const Lens& lens, const Vector2d& ideal, Matrix2d* jacobian) {
+  return lens.equidistant ? distort_equidistant(lens, ideal, jacobian) : distort_brown(lens, ideal, jacobian);
 }
 
-Vector2d undistort_normalised(const Camera& camera, const Vector2d& raw) {
-  if (camera.lens == LensModel::equidistant) return undistort_equidistant(camera, raw);
+Vector2d undistort_normalised(const Lens& lens, const Vector2d& raw) {
+  if (lens.equidistant) return undistort_equidistant(lens, raw);
   Vector2d n = raw;
-  return solve_brown(camera, raw, n) ? n : follow_brown(camera, raw);
+  return solve_brown(lens, raw, n) ? n : follow_brown(lens, raw);
 }
 
-std::optional<LensFault> find_lens_fault(const Camera& camera) {
-  if (!camera.has_distortion()) return {};
-  const Vector2d centre(camera.cx, camera.cy), focal(camera.fx, camera.fy);
-  const auto nearer = [&](const LensFault& a, const std::optional<LensFault>& b) {
-    return !b || (a.raw - centre).squaredNorm() < (b->raw - centre).squaredNorm();
-  };
+std::optional<LensFault> find_lens_fault(const Lens& lens, const LensImage& image) {
   std::optional<LensFault> worst;
   const auto follow = [&](const Vector2d& direction) {
-    const auto fault = follow_ray(camera, direction.normalized());
-    if (fault && nearer(*fault, worst)) worst = fault;
+    const auto fault = follow_ray(lens, image, direction.normalized());
+    const auto distance = [&](const LensFault& f) { return (f.raw - image.centre).squaredNorm(); };
+    if (fault && (!worst || distance(*fault) < distance(*worst))) worst = fault;
   };
   constexpr int kDirections = 180;
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2 * std::numbers::pi * i / kDirections;
     follow({std::cos(angle), std::sin(angle)});
   }
-  for (const double x : {0.0, camera.width - 1.0}) {
-    for (const double y : {0.0, camera.height - 1.0}) follow((Vector2d(x, y) - centre).cwiseQuotient(focal));
+  const Vector2d corner = image.size - Vector2d::Ones();
+  for (const double x : {0.0, corner.x()}) {
+    for (const double y : {0.0, corner.y()})
+      follow((Vector2d(x, y) - image.centre).cwiseQuotient(image.focal));
   }
-  if (worst) return worst;
-  constexpr int kColumns = 32, kRows = 24;
-  for (int i = 0; i <= kColumns * kRows + kRows; ++i) {
-    const Vector2d raw((camera.width - 1.0) * (i % (kColumns + 1)) / kColumns,
-                       (camera.height - 1.0) * std::min(i / (kColumns + 1), kRows) / kRows);
-    if (camera.has_ideal(raw) && !((camera.distort(camera.undistort(raw)) - raw).norm() < 1e-6))
-      return LensFault{raw, "the lens distortion cannot be inverted"};
-  }
-  return {};
+  return worst ? worst : find_lost_pixel(lens, image);
 }
 
 }  // namespace stdc
