@@ -8,7 +8,8 @@
 namespace stdc::simulation {
 
 /// The viewing rays of a camera's raw pixels, lens distortion included: direction (x, y, 1) in the camera
-/// frame, so that the distance along a ray is the depth z.
+/// frame, so that the distance along a ray is the depth z. Pixels beyond Camera::kMaxAngle of a fisheye look
+/// along its rim.
 class RayGrid {
  public:
   explicit RayGrid(const Camera& camera);

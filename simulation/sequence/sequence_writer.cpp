@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
+#include "input/camera_file.hpp"
 
 namespace stdc::simulation {
 namespace {
@@ -32,15 +33,6 @@ void write_text(const fs::path& path, const std::string& text) {
 void write_png(const fs::path& path, const cv::Mat& image) {
   const std::vector<std::uint8_t> bytes = encode_png(image, PngEffort::fast);
   write_bytes(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
-}
-
-std::string camera_yaml(const Camera& c) {
-  return fmt::format(
-      "# Pinhole camera with Brown-Conrady distortion; lengths in pixels.\n"
-      "width: {}\nheight: {}\nfx: {}\nfy: {}\ncx: {}\ncy: {}\nk1: {}\nk2: {}\np1: {}\np2: {}\nk3: {}\n"
-      "depth_units_per_metre: {}\nframes_per_second: {}\n",
-      c.width, c.height, c.fx, c.fy, c.cx, c.cy, c.k1, c.k2, c.p1, c.p2, c.k3, c.depth_units_per_metre,
-      c.frames_per_second);
 }
 
 /// A folder that must not be replaced is an error.
@@ -110,7 +102,7 @@ void SequenceWriter::write_lists() const {
   write_text(partial_ / "rgb.txt", colour);
   write_text(partial_ / "depth.txt", depth);
   write_text(partial_ / "groundtruth.txt", poses);
-  write_text(partial_ / "camera.yaml", camera_yaml(camera_));
+  write_text(partial_ / "camera.yaml", "# Lengths in pixels.\n" + format_camera(camera_));
 }
 
 void SequenceWriter::finish() {

@@ -6,7 +6,7 @@ Measurement measure(const Camera& camera, const CameraMotion& motion, const Eige
                     float depth, float scale) {
   Measurement measurement{seen, seen, depth, scale};
   if (motion.readout_time == 0 || !(z > 0)) return measurement;
-  const double dt = motion.row_time(seen.y());
+  const double dt = motion.row_time(camera.row_of(seen.cast<double>()));
   const Eigen::Vector3d point = motion.at_middle(camera.unproject(seen.cast<double>(), z), dt);
   if (!(point.z() > 0)) return measurement;
   measurement.pixel = camera.project(point).cast<float>();

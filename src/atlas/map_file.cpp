@@ -25,14 +25,15 @@ constexpr std::size_t kLandmarksPerRecord = 4096;
 void put_camera(RecordWriter& out, const Camera& camera) {
   out.put(static_cast<std::int32_t>(camera.width));
   out.put(static_cast<std::int32_t>(camera.height));
-  for (const double value :
-       {camera.fx, camera.fy, camera.cx, camera.cy, camera.k1, camera.k2, camera.p1, camera.p2, camera.k3,
-        camera.depth_units_per_metre, camera.frames_per_second, camera.readout_time}) {
+  for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy, camera.k1, camera.k2, camera.p1,
+                             camera.p2, camera.k3, camera.depth_units_per_metre, camera.frames_per_second,
+                             camera.readout_time, camera.k4, camera.k5, camera.k6}) {
     out.put(value);
   }
+  out.put(static_cast<std::int32_t>(camera.lens));
 }
 
-Camera get_camera(RecordReader& in) {
+Camera get_camera(RecordReader& in, std::uint32_t version) {
   constexpr double kFar = 1e6;
   Camera camera;
   camera.width = in.get_number<std::int32_t>(1, 16384);
@@ -45,6 +46,11 @@ Camera get_camera(RecordReader& in) {
     *value = in.get_number<double>(1e-6, 1e9);
   }
   camera.readout_time = in.get_number<double>(0, 10);
+  if (version < 2) return camera;
+  for (double* value : {&camera.k4, &camera.k5, &camera.k6}) *value = in.get_number<double>(-kFar, kFar);
+  camera.lens =
+      static_cast<LensModel>(in.get_number<std::int32_t>(static_cast<std::int32_t>(LensModel::brown_conrady),
+                                                         static_cast<std::int32_t>(LensModel::equidistant)));
   return camera;
 }
 
@@ -111,7 +117,7 @@ void write_landmarks(std::ostream& stream, const Atlas& atlas, const NewIds& ids
   }
 }
 
-void read_header(RecordReader& in, const std::string& name) {
+std::uint32_t read_header(RecordReader& in, const std::string& name) {
   std::array<char, 16> head{};
   const bool whole = in.read_plain(head.data(), head.size());
   if (!whole || std::memcmp(head.data(), kMagic.data(), kMagic.size()) != 0) {
@@ -126,7 +132,8 @@ void read_header(RecordReader& in, const std::string& name) {
                 fmt::format("is a map of version {}, this program reads up to {}", version, kMapFileVersion),
                 "use a newer program, or make the map again");
   }
-  in.check(version == kMapFileVersion, "its version does not exist");
+  in.check(version >= 1, "its version does not exist");
+  return version;
 }
 
 /// Brings what was written to the disk. False if that fails.
@@ -162,10 +169,10 @@ void write_map(std::ostream& stream, const Camera& camera, const Atlas& atlas) {
 
 StoredMap read_map(std::istream& stream, const std::string& name) {
   RecordReader in(stream, name);
-  read_header(in, name);
+  const std::uint32_t version = read_header(in, name);
   in.next();
   in.check(in.tag() == "CAMR", "the camera is missing");
-  const Camera camera = get_camera(in);
+  const Camera camera = get_camera(in, version);
   in.expect_end();
   std::vector<Keyframe> keyframes;
   std::vector<Landmark> landmarks;
@@ -185,7 +192,7 @@ StoredMap read_map(std::istream& stream, const std::string& name) {
   in.expect_end();
   in.check(stream.peek() == std::istream::traits_type::eof(), "something follows its end");
   connect_map(in, keyframes, landmarks);
-  return {camera, Atlas(std::move(keyframes), std::move(landmarks))};
+  return {camera, Atlas(std::move(keyframes), std::move(landmarks)), version};
 }
 
 void save_map(const std::filesystem::path& path, const Camera& camera, const Atlas& atlas) {

@@ -9,14 +9,16 @@
 
 namespace stdc {
 
+/// Version of the format that is written, and the newest that is read; older ones are read too. Since 2 the
+/// camera has k4, k5, k6 and the lens model.
+inline constexpr std::uint32_t kMapFileVersion = 2;
+
 /// What a map file holds; docs/map-file.md describes the format.
 struct StoredMap {
   Camera camera;  ///< that the map was made with; one needs the same to be localised in it
   Atlas atlas;
+  std::uint32_t version = kMapFileVersion;  ///< of the file
 };
-
-/// Version of the format that is written, and the newest that is read.
-inline constexpr std::uint32_t kMapFileVersion = 1;
 
 /// Writes a map to a file, whole or not at all: it is written beside it under another name, brought to the
 /// disk and then renamed. Keyframes and landmarks are numbered anew, in the same order, without gaps;

@@ -1,10 +1,10 @@
 #include "atlas/map_file.hpp"
 
 #include <gtest/gtest.h>
-#include <libdeflate.h>
 
 #include <cstring>
 
+#include "atlas/record_stream.hpp"
 #include "atlas/test_map_file.hpp"
 #include "core/test_folder.hpp"
 #include "core/text_file.hpp"
@@ -120,15 +120,43 @@ TEST(MapFile, AFlippedBitAnywhereIsNoticed) {
   EXPECT_EQ(message_of([&] { map_of(bytes); }), "");
 }
 
+/// The same map as version 1 had it: without k4, k5, k6 and the lens model.
+std::string as_version_1(std::string bytes) {
+  constexpr std::size_t kHead = 16, kPayload = kHead + 16, kNow = 2 * 4 + 15 * 8 + 4, kThen = 2 * 4 + 12 * 8;
+  const auto put = [&](std::size_t at, auto value) { std::memcpy(bytes.data() + at, &value, sizeof value); };
+  bytes.erase(kPayload + kThen, kNow - kThen);
+  put(8, std::uint32_t{1});
+  put(12, check_sum(bytes.data(), 12));
+  put(kHead + 4, check_sum(bytes.data() + kPayload, kThen));
+  put(kHead + 8, std::uint64_t{kThen});
+  return bytes;
+}
+
+TEST(MapFile, AnOlderVersionIsRead) {
+  const MappedScene mapped = make_scene(40, false);
+  const StoredMap stored = map_of(as_version_1(bytes_of(mapped.scene.camera, mapped.atlas)));
+  EXPECT_EQ(stored.version, 1U);
+  EXPECT_EQ(stored.camera, mapped.scene.camera);
+  expect_same(mapped.atlas, stored.atlas);
+}
+
+TEST(MapFile, KeepsTheLens) {
+  Camera camera;
+  camera.k1 = 0.1, camera.k4 = 0.2, camera.k5 = 0.01, camera.k6 = 0.02;
+  EXPECT_EQ(map_of(bytes_of(camera, Atlas())).camera, camera);
+  camera.k5 = camera.k6 = 0, camera.lens = LensModel::equidistant;
+  EXPECT_EQ(map_of(bytes_of(camera, Atlas())).camera, camera);
+}
+
 TEST(MapFile, ANewerVersionIsNamed) {
   std::string bytes = bytes_of(Camera(), Atlas());
   const std::uint32_t version = kMapFileVersion + 1;
   std::memcpy(bytes.data() + 8, &version, 4);
-  const std::uint32_t sum = libdeflate_crc32(0, bytes.data(), 12);
+  const std::uint32_t sum = check_sum(bytes.data(), 12);
   std::memcpy(bytes.data() + 12, &sum, 4);
   EXPECT_EQ(
       message_of([&] { map_of(bytes); }),
-      "some.map: is a map of version 2, this program reads up to 1; use a newer program, or make the map "
+      "some.map: is a map of version 3, this program reads up to 2; use a newer program, or make the map "
       "again");
 }
 

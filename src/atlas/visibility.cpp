@@ -10,7 +10,7 @@ std::optional<Eigen::Vector2d> ViewingImage::project(const Eigen::Vector3d& posi
   const Eigen::Vector3d point = cam_from_world_ * position;
   if (!(point.z() > kMinDepth)) return {};
   const Eigen::Vector2d pixel = motion_.project(camera_, point);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera_.width && pixel.y() < camera_.height)) return {};
+  if (!camera_.shows(pixel)) return {};
   return pixel;
 }
 

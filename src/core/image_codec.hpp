@@ -7,7 +7,7 @@
 
 namespace stdc {
 
-// PNG and JPEG by libpng, libdeflate and libjpeg. OpenCV's imgcodecs is not used: as Debian builds it, it
+// PNG and JPEG by libpng, libdeflate and TurboJPEG. OpenCV's imgcodecs is not used: as Debian builds it, it
 // loads 120 libraries more (0.1 s and 40 MB at start), prints to stderr and lets a truncated JPEG pass as a
 // half grey image.
 
@@ -32,7 +32,7 @@ bool is_jpeg(Bytes bytes);
 /// CV_16UC1). Its size must be `size`, which also bounds the memory. Damaged, truncated: a problem.
 DecodedImage decode_png_colour(Bytes bytes, cv::Size size, ColourMode mode);
 DecodedImage decode_png_depth(Bytes bytes, cv::Size size);
-/// Decodes a JPEG, baseline or progressive, without applying EXIF rotation. What libjpeg would mend with a
+/// Decodes a JPEG, baseline or progressive, without applying EXIF rotation. What libjpeg would repair with a
 /// warning (a truncated file, broken Huffman codes) is a problem.
 DecodedImage decode_jpeg(Bytes bytes, cv::Size size, ColourMode mode);
 

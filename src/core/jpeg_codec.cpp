@@ -1,82 +1,25 @@
-#include <cstdio>
-// libjpeg's header needs <cstdio> before it.
-#include <jerror.h>
-#include <jpeglib.h>
+#include <fmt/format.h>
+#include <turbojpeg.h>
 
-#include <csetjmp>
-#include <cstdlib>
+#include <memory>
+#include <type_traits>
 
 #include "core/image_codec.hpp"
 
 namespace stdc {
 namespace {
 
-/// libjpeg leaves by longjmp, so between setjmp and its calls there must be no object with a destructor.
-struct JpegErrors {
-  jpeg_error_mgr manager;  // first: libjpeg knows only of this part
-  std::jmp_buf on_error;
-  char problem[JMSG_LENGTH_MAX + 64] = "";
+struct DestroyHandle {
+  void operator()(void* handle) const { tjDestroy(handle); }
+};
+using Handle = std::unique_ptr<std::remove_pointer_t<tjhandle>, DestroyHandle>;
+
+struct FreeBytes {
+  void operator()(unsigned char* bytes) const { tjFree(bytes); }
 };
 
-JpegErrors* errors_of(j_common_ptr jpeg) { return reinterpret_cast<JpegErrors*>(jpeg->err); }
-
-void note_problem(j_common_ptr jpeg) {
-  JpegErrors* errors = errors_of(jpeg);
-  if (errors->problem[0] != '\0') return;  // the first one is the cause
-  char message[JMSG_LENGTH_MAX];
-  jpeg->err->format_message(jpeg, message);
-  std::snprintf(errors->problem, sizeof errors->problem, "the JPEG is damaged (%s)", message);
-}
-
-[[noreturn]] void fail(j_common_ptr jpeg) {
-  note_problem(jpeg);
-  std::longjmp(errors_of(jpeg)->on_error, 1);
-}
-
-/// Level -1 is a warning, that is data which libjpeg repairs by guessing; others are traces.
-void take_message(j_common_ptr jpeg, int level) {
-  const int code = jpeg->err->msg_code;
-  const bool harmless = code == JWRN_ADOBE_XFORM || code == JWRN_JFIF_MAJOR;
-  if (level < 0 && !harmless) fail(jpeg);
-}
-
-void print_nothing(j_common_ptr) {}
-
-void use(JpegErrors& errors) {
-  jpeg_std_error(&errors.manager);
-  errors.manager.error_exit = fail;
-  errors.manager.emit_message = take_message;
-  errors.manager.output_message = print_nothing;
-}
-
-/// A progressive file of a few kilobytes can ask for thousands of passes over the image.
-void limit_scans(j_common_ptr jpeg) {
-  constexpr int kMaxScans = 100;
-  if (jpeg->is_decompressor == 0) return;
-  if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) {
-    jpeg->err->msg_code = JERR_EMPTY_IMAGE;
-    std::snprintf(errors_of(jpeg)->problem, sizeof errors_of(jpeg)->problem, "the JPEG has too many scans");
-    fail(jpeg);
-  }
-}
-
-/// Reads the header and settles the output format; fills `errors.problem` if the image does not suit.
-bool start(jpeg_decompress_struct& jpeg, JpegErrors& errors, cv::Size size, ColourMode mode) {
-  jpeg_read_header(&jpeg, TRUE);
-  if (jpeg.image_width != static_cast<unsigned>(size.width) ||
-      jpeg.image_height != static_cast<unsigned>(size.height)) {
-    std::snprintf(errors.problem, sizeof errors.problem, "is %u x %u pixels, but the camera has %d x %d",
-                  jpeg.image_width, jpeg.image_height, size.width, size.height);
-    return false;
-  }
-  if (jpeg.num_components != 1 && jpeg.num_components != 3) {
-    std::snprintf(errors.problem, sizeof errors.problem, "has %d channels, but 1 or 3 are needed",
-                  jpeg.num_components);
-    return false;
-  }
-  const bool grey = mode == ColourMode::grey || jpeg.num_components == 1;
-  jpeg.out_color_space = grey ? JCS_GRAYSCALE : JCS_EXT_BGR;
-  return jpeg_start_decompress(&jpeg) != 0;
+DecodedImage damaged(const Handle& handle) {
+  return {{}, fmt::format("the JPEG is damaged ({})", tjGetErrorStr2(handle.get()))};
 }
 
 }  // namespace
@@ -86,62 +29,45 @@ bool is_jpeg(Bytes bytes) {
 }
 
 DecodedImage decode_jpeg(Bytes bytes, cv::Size size, ColourMode mode) {
-  JpegErrors errors{};
-  jpeg_decompress_struct jpeg{};
-  jpeg_progress_mgr progress{};
-  cv::Mat image;
-  use(errors);
-  jpeg.err = &errors.manager;
-  if (setjmp(errors.on_error) == 0) {  // NOLINT(cert-err52-cpp): the way of libjpeg
-    jpeg_create_decompress(&jpeg);
-    progress.progress_monitor = limit_scans;
-    jpeg.progress = &progress;
-    jpeg_mem_src(&jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
-    if (start(jpeg, errors, size, mode)) {
-      image.create(size, CV_8UC(jpeg.output_components));
-      while (jpeg.output_scanline < jpeg.output_height) {
-        JSAMPROW row = image.ptr(static_cast<int>(jpeg.output_scanline));
-        jpeg_read_scanlines(&jpeg, &row, 1);
-      }
-      jpeg_finish_decompress(&jpeg);  // reads on to the end mark
-    }
+  const Handle handle(tjInitDecompress());
+  if (!handle) return {{}, "the JPEG cannot be decoded (out of memory)"};
+  int width = 0, height = 0, subsampling = -1, colours = -1;
+  const int fault =
+      tjDecompressHeader3(handle.get(), bytes.data(), bytes.size(), &width, &height, &subsampling, &colours);
+  // A subsampling that it has no name for is a fault too, but can be decoded.
+  if (fault != 0 && (width < 1 || height < 1 || colours < 0)) return damaged(handle);
+  if (cv::Size(width, height) != size) {
+    return {
+        {},
+        fmt::format("is {} x {} pixels, but the camera has {} x {}", width, height, size.width, size.height)};
   }
-  jpeg_destroy_decompress(&jpeg);
-  if (errors.problem[0] != '\0') return {{}, errors.problem};
-  if (image.empty()) return {{}, "the JPEG cannot be decoded"};
+  if (colours == TJCS_CMYK || colours == TJCS_YCCK) {
+    return {{}, "has 4 channels, but 1 or 3 are needed"};
+  }
+  const bool grey = mode == ColourMode::grey || colours == TJCS_GRAY;
+  cv::Mat image(size, grey ? CV_8UC1 : CV_8UC3);
+  // A progressive file of a few kilobytes can ask for thousands of passes over the image.
+  constexpr int kFlags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
+  if (tjDecompress2(handle.get(), bytes.data(), bytes.size(), image.data, size.width,
+                    static_cast<int>(image.step[0]), size.height, grey ? TJPF_GRAY : TJPF_BGR, kFlags) != 0) {
+    return damaged(handle);
+  }
   return {image, ""};
 }
 
 std::vector<std::uint8_t> encode_jpeg(const cv::Mat& image, int quality) {
   CV_Assert(image.type() == CV_8UC1 || image.type() == CV_8UC3);
-  JpegErrors errors{};
-  jpeg_compress_struct jpeg{};
+  const bool grey = image.channels() == 1;
+  const Handle handle(tjInitCompress());
+  CV_Assert(handle != nullptr);
   unsigned char* buffer = nullptr;
   unsigned long size = 0;
-  use(errors);
-  jpeg.err = &errors.manager;
-  if (setjmp(errors.on_error) == 0) {  // NOLINT(cert-err52-cpp)
-    jpeg_create_compress(&jpeg);
-    jpeg_mem_dest(&jpeg, &buffer, &size);
-    jpeg.image_width = static_cast<unsigned>(image.cols);
-    jpeg.image_height = static_cast<unsigned>(image.rows);
-    jpeg.input_components = image.channels();
-    jpeg.in_color_space = image.channels() == 3 ? JCS_EXT_BGR : JCS_GRAYSCALE;
-    jpeg_set_defaults(&jpeg);
-    jpeg_set_quality(&jpeg, quality, TRUE);
-    jpeg_start_compress(&jpeg, TRUE);
-    while (jpeg.next_scanline < jpeg.image_height) {
-      JSAMPROW row = const_cast<JSAMPROW>(image.ptr(static_cast<int>(jpeg.next_scanline)));
-      jpeg_write_scanlines(&jpeg, &row, 1);
-    }
-    jpeg_finish_compress(&jpeg);
-  }
-  jpeg_destroy_compress(&jpeg);
-  std::vector<std::uint8_t> bytes;
-  if (errors.problem[0] == '\0') bytes.assign(buffer, buffer + size);
-  std::free(buffer);  // NOLINT(cppcoreguidelines-no-malloc): libjpeg allocated it
-  CV_Assert(!bytes.empty());
-  return bytes;
+  const int fault = tjCompress2(handle.get(), image.data, image.cols, static_cast<int>(image.step[0]),
+                                image.rows, grey ? TJPF_GRAY : TJPF_BGR, &buffer, &size,
+                                grey ? TJSAMP_GRAY : TJSAMP_420, quality, TJFLAG_ACCURATEDCT);
+  const std::unique_ptr<unsigned char, FreeBytes> owner(buffer);
+  CV_Assert(fault == 0 && size > 0);
+  return {buffer, buffer + size};
 }
 
 }  // namespace stdc

@@ -10,9 +10,13 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
   return std::isfinite(z) && z > 0 ? z : 0;
 }
 
-float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
+namespace {
+
+constexpr float kMaxStep = 0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
+
+/// surface_depth_at with a step of its own.
+float depth_on_surface(const cv::Mat& depth, double units_per_metre, int x, int y, float max_step) {
   constexpr int kRadius = 3;
-  constexpr float kMaxStep = 0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
   const float z = depth_at(depth, units_per_metre, x, y);
   if (z <= 0) return 0;
   float nearest = z, furthest = z;
@@ -24,7 +28,19 @@ float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int 
       furthest = std::max(furthest, beside);
     }
   }
-  return furthest - nearest <= kMaxStep * z ? z : 0;
+  return furthest - nearest <= max_step * z ? z : 0;
+}
+
+/// In a wide or small image a pixel spans a larger angle, and a slanted surface falls off faster.
+float max_step_of(const Camera& camera) {
+  constexpr double kStepTimesFocal = 12;  // [px], of a surface seen at 60 degrees over the window
+  return std::max(kMaxStep, static_cast<float>(kStepTimesFocal / std::min(camera.fx, camera.fy)));
+}
+
+}  // namespace
+
+float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
+  return depth_on_surface(depth, units_per_metre, x, y, kMaxStep);
 }
 
 namespace {
@@ -37,21 +53,37 @@ float median_of_positive(std::vector<float> values, float otherwise) {
   return *middle;
 }
 
+/// Drops the keypoints that a wide fisheye sees beside or behind the camera: they have no ideal pixel.
+Features with_ideal_pixels(const Camera& camera, Features features) {
+  if (camera.lens != LensModel::equidistant) return features;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < features.keypoints.size(); ++i) {
+    if (!camera.has_ideal({features.keypoints[i].x, features.keypoints[i].y})) continue;
+    features.keypoints[kept] = features.keypoints[i];
+    features.descriptors[kept++] = features.descriptors[i];
+  }
+  features.keypoints.resize(kept);
+  features.descriptors.resize(kept);
+  return features;
+}
+
 }  // namespace
 
 FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::Mat& depth,
                              double scale_factor, int levels, const Pyramid* pyramid)
-    : keypoints_(std::move(features.keypoints)),
-      descriptors_(std::move(features.descriptors)),
-      scale_factor_(scale_factor) {
+    : scale_factor_(scale_factor) {
+  features = with_ideal_pixels(camera, std::move(features));
+  keypoints_ = std::move(features.keypoints);
+  descriptors_ = std::move(features.descriptors);
   const std::size_t count = keypoints_.size();
   pixels_.reserve(count);
   depths_.reserve(count);
+  const float max_step = max_step_of(camera);
   for (const Keypoint& keypoint : keypoints_) {
     pixels_.push_back(camera.undistort({keypoint.x, keypoint.y}).cast<float>());
-    depths_.push_back(surface_depth_at(depth, camera.depth_units_per_metre,
+    depths_.push_back(depth_on_surface(depth, camera.depth_units_per_metre,
                                        static_cast<int>(std::lround(keypoint.x)),
-                                       static_cast<int>(std::lround(keypoint.y))));
+                                       static_cast<int>(std::lround(keypoint.y)), max_step));
   }
   complete(camera, levels);
   if (pyramid != nullptr) cut_patches(*pyramid);

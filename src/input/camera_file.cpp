@@ -15,8 +15,9 @@ namespace stdc {
 namespace {
 
 constexpr const char* kKeys =
-    "give width, height, fx, fy, cx, cy and, if needed, k1, k2, p1, p2, k3, depth_units_per_metre, "
-    "frames_per_second, readout_time";
+    "give width, height, fx, fy, cx, cy and, if needed, lens, k1, k2, p1, p2, k3, k4, k5, k6, "
+    "depth_units_per_metre, frames_per_second, readout_time, rotation";
+constexpr const char* kLenses = "give pinhole, radial-tangential, rational or equidistant";
 
 /// One key of the file: where its number goes, and whether it must be there.
 struct Key {
@@ -38,10 +39,32 @@ constexpr std::array kAllKeys{
     Key{"p1", &Camera::p1, nullptr, false},
     Key{"p2", &Camera::p2, nullptr, false},
     Key{"k3", &Camera::k3, nullptr, false},
+    Key{"k4", &Camera::k4, nullptr, false},
+    Key{"k5", &Camera::k5, nullptr, false},
+    Key{"k6", &Camera::k6, nullptr, false},
     Key{"depth_units_per_metre", &Camera::depth_units_per_metre, nullptr, false},
     Key{"frames_per_second", &Camera::frames_per_second, nullptr, false},
     Key{"readout_time", &Camera::readout_time, nullptr, false},
+    Key{"rotation", nullptr, &Camera::rotation, false},
 };
+
+/// The coefficients that a lens has, each between blanks.
+struct LensWord {
+  std::string_view name, coefficients;
+  LensModel model;
+};
+constexpr std::array kLensWords{
+    LensWord{"pinhole", " ", LensModel::brown_conrady},
+    LensWord{"radial-tangential", " k1 k2 p1 p2 k3 ", LensModel::brown_conrady},
+    LensWord{"rational", " k1 k2 p1 p2 k3 k4 k5 k6 ", LensModel::brown_conrady},
+    LensWord{"equidistant", " k1 k2 k3 k4 ", LensModel::equidistant},
+};
+
+bool has_coefficient(const LensWord& lens, const char* key) {
+  return lens.coefficients.find(fmt::format(" {} ", key)) != std::string_view::npos;
+}
+
+bool is_coefficient(const Key& key) { return has_coefficient(kLensWords[2], key.name); }
 
 std::string place(const std::string& name, const YAML::Mark& mark) {
   return mark.is_null() ? name : fmt::format("{}:{}", name, mark.line + 1);
@@ -70,9 +93,36 @@ void set(Camera& camera, const Key& key, const YAML::Node& value, const std::str
     return;
   }
   if (*number != std::floor(*number) || std::abs(*number) > 1e6) {
-    throw Error(where, fmt::format("{} is not a whole number of pixels", key.name), "replace it");
+    throw Error(where, fmt::format("{} is not a whole number", key.name), "replace it");
   }
   camera.*key.integer = static_cast<int>(*number);
+}
+
+const LensWord& lens_named(const YAML::Node& value, const std::string& where) {
+  const std::string word = value.IsScalar() ? value.Scalar() : "";
+  const auto* lens =
+      std::find_if(kLensWords.begin(), kLensWords.end(), [&](const LensWord& l) { return l.name == word; });
+  if (lens == kLensWords.end()) throw Error(where, fmt::format("unknown lens {}", shown(word)), kLenses);
+  return *lens;
+}
+
+/// A coefficient must be one of the lens; without a named lens the model must be beyond doubt.
+void settle_lens(const YAML::Node& root, const std::string& name, Camera& camera) {
+  if (const YAML::Node given = root["lens"]) {
+    const LensWord& lens = lens_named(given, place(name, given.Mark()));
+    camera.lens = lens.model;
+    for (const Key& key : kAllKeys) {
+      if (!is_coefficient(key) || has_coefficient(lens, key.name) || camera.*key.number == 0) continue;
+      throw Error(place(name, root[key.name].Mark()),
+                  fmt::format("a lens of the kind {} has no {}", lens.name, key.name),
+                  "leave it out, or name another lens (pinhole, radial-tangential, rational, equidistant)");
+    }
+    return;
+  }
+  if (camera.k4 != 0 && !root["k5"] && !root["k6"]) {
+    throw Error(place(name, root["k4"].Mark()), "k4 without k5 and k6 may mean two kinds of lens",
+                "add 'lens: equidistant' for a fisheye, or 'lens: rational'");
+  }
 }
 
 }  // namespace
@@ -81,22 +131,27 @@ Camera parse_camera(const std::string& yaml, const std::string& name) {
   const YAML::Node root = parse_map(yaml, name);
   Camera camera;
   std::array<bool, kAllKeys.size()> seen{};
+  bool seen_lens = false;
   for (const auto& entry : root) {
     const std::string where = place(name, entry.first.Mark());
     const std::string word = entry.first.IsScalar() ? entry.first.Scalar() : "";
     const auto* key =
         std::find_if(kAllKeys.begin(), kAllKeys.end(), [&](const Key& k) { return word == k.name; });
-    if (key == kAllKeys.end()) throw Error(where, fmt::format("unknown key {}", shown(word)), kKeys);
-    bool& there = seen[static_cast<std::size_t>(key - kAllKeys.begin())];
-    if (there) throw Error(where, fmt::format("{} is given twice", key->name), "remove one of them");
+    const bool is_lens = word == "lens";
+    if (key == kAllKeys.end() && !is_lens) {
+      throw Error(where, fmt::format("unknown key {}", shown(word)), kKeys);
+    }
+    bool& there = is_lens ? seen_lens : seen[static_cast<std::size_t>(key - kAllKeys.begin())];
+    if (there) throw Error(where, fmt::format("{} is given twice", word), "remove one of them");
     there = true;
-    set(camera, *key, entry.second, where);
+    if (!is_lens) set(camera, *key, entry.second, where);
   }
   for (std::size_t i = 0; i < kAllKeys.size(); ++i) {
     if (kAllKeys[i].required && !seen[i]) {
       throw Error(name, fmt::format("{} is missing", kAllKeys[i].name), kKeys);
     }
   }
+  settle_lens(root, name, camera);
   camera.validate(name);
   return camera;
 }
@@ -106,8 +161,12 @@ Camera read_camera(const std::filesystem::path& path) {
 }
 
 std::string format_camera(const Camera& camera) {
+  const auto* lens = std::find_if(kLensWords.begin(), kLensWords.end(),
+                                  [&](const LensWord& l) { return l.name == camera.lens_name(); });
   std::string text;
   for (const Key& key : kAllKeys) {
+    if (key.number == &Camera::k1) text += fmt::format("lens: {}\n", lens->name);
+    if (is_coefficient(key) && !has_coefficient(*lens, key.name)) continue;
     text += key.number != nullptr ? fmt::format("{}: {}\n", key.name, camera.*key.number)
                                   : fmt::format("{}: {}\n", key.name, camera.*key.integer);
   }

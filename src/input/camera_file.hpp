@@ -9,9 +9,13 @@
 
 namespace stdc {
 
-/// Reads camera.yaml: keys width, height, fx, fy, cx, cy, optional k1, k2, p1, p2, k3 (0),
-/// depth_units_per_metre (5000), frames_per_second (30), readout_time (0). Throws Error (file, line) for a
-/// missing or unreadable file, a missing or unknown key, or a value that does not validate.
+/// Reads camera.yaml: keys width, height, fx, fy, cx, cy; optional lens (pinhole, radial-tangential, rational
+/// or equidistant) with its coefficients: k1, k2, p1, p2, k3 (radial-tangential), these and k4, k5, k6
+/// (rational), k1, k2, k3, k4 (equidistant), all 0 if not given; depth_units_per_metre (5000),
+/// frames_per_second (30), readout_time (0), rotation (0: degrees clockwise that turn the image upright).
+/// Without `lens` it follows from the coefficients, but is never equidistant. Throws Error (file, line) for a
+/// missing or unreadable file, a missing or unknown key, a coefficient that the lens does not have, or a
+/// value that does not validate.
 Camera read_camera(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 Camera parse_camera(const std::string& yaml, const std::string& name);

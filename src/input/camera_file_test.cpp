@@ -64,6 +64,43 @@ TEST(CameraFile, NamesTheLineAtFault) {
   EXPECT_NE(message(std::string(100000, ' ')).find("too large"), std::string::npos);
 }
 
+TEST(CameraFile, KnowsTheLensModels) {
+  const std::string five = "k1: 0.1\nk2: -0.2\np1: 0.001\np2: 0.002\nk3: 0.1\n";
+  EXPECT_STREQ(parse_camera(kMinimal, "c.yaml").lens_name(), "pinhole");
+  EXPECT_STREQ(parse_camera(kMinimal + five, "c.yaml").lens_name(), "radial-tangential");
+  const Camera rational = parse_camera(kMinimal + five + "k4: 0.11\nk5: 0.02\nk6: 0.03\n", "c.yaml");
+  EXPECT_STREQ(rational.lens_name(), "rational");
+  EXPECT_EQ(rational.k5, 0.02);
+  const Camera fisheye =
+      parse_camera(kMinimal + "lens: equidistant\nk1: 0.1\nk2: 0.01\nk3: 0.001\nk4: 0.002\n", "c.yaml");
+  EXPECT_EQ(fisheye.lens, LensModel::equidistant);
+  EXPECT_EQ(fisheye.k4, 0.002);
+  EXPECT_EQ(parse_camera(kMinimal + "lens: equidistant\n", "c.yaml").lens, LensModel::equidistant);
+  EXPECT_EQ(parse_camera(kMinimal + "rotation: 270\n", "c.yaml").rotation, 270);
+  for (const Camera& camera : {rational, fisheye}) {
+    EXPECT_EQ(parse_camera(format_camera(camera), "c.yaml"), camera) << format_camera(camera);
+  }
+}
+
+TEST(CameraFile, RefusesWhatDoesNotBelongToTheLens) {
+  EXPECT_NE(message(kMinimal + "lens: round\n").find("c.yaml:7: unknown lens 'round'; give pinhole, radial"),
+            std::string::npos);
+  EXPECT_NE(message(kMinimal + "lens: [1]\n").find("c.yaml:7: unknown lens"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "lens: pinhole\nlens: rational\n").find("lens is given twice"),
+            std::string::npos);
+  EXPECT_NE(message(kMinimal + "lens: equidistant\np1: 0.1\n")
+                .find("c.yaml:8: a lens of the kind equidistant has no p1; leave it out"),
+            std::string::npos);
+  EXPECT_NE(message(kMinimal + "k6: 0.1\nlens: radial-tangential\n").find("c.yaml:7: a lens"),
+            std::string::npos);
+  EXPECT_EQ(message(kMinimal + "lens: pinhole\nk1: 0\n"), "");
+  EXPECT_NE(message(kMinimal + "k1: 0.1\nk4: 0.1\n").find("c.yaml:8: k4 without k5 and k6 may mean two"),
+            std::string::npos);
+  EXPECT_NE(message(kMinimal + "rotation: 45\n").find("c.yaml: rotation is none of"), std::string::npos);
+  EXPECT_NE(message(kMinimal + "k1: -0.8\n").find("c.yaml: the lens distortion folds back at pixel ("),
+            std::string::npos);
+}
+
 TEST(CameraFile, NamesAMissingFile) {
   const TestFolder folder;
   EXPECT_NE(message_of([&] { read_camera(folder / "none.yaml"); }).find("none.yaml: cannot be opened"),

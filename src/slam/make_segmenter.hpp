@@ -16,6 +16,8 @@ struct SegmenterFiles {
 
 /// The segmenter that the settings ask for; null if segmentation is off. Throws Error if weights or masks are
 /// missing or wrong.
-std::unique_ptr<Segmenter> make_segmenter(const Settings& settings, const SegmenterFiles& files);
+/// @param rotation  Camera::rotation: the network is shown the images upright
+std::unique_ptr<Segmenter> make_segmenter(const Settings& settings, const SegmenterFiles& files,
+                                          int rotation = 0);
 
 }  // namespace stdc

@@ -212,6 +212,7 @@ std::vector<LoopReport> Pipeline::finish() {
 void Pipeline::load_map(const std::filesystem::path& path) {
   if (next_frame_ > 0) throw Error(path.string(), "was given after the first frame", "load the map before");
   StoredMap stored = stdc::load_map(path);
+  stored.camera.rotation = camera().rotation;  // for the network only: a map does not know it
   if (stored.camera != camera()) {
     throw Error(path.string(), "was made with another camera",
                 "give the camera that 'stdc-slam map info' shows, or make the map again");

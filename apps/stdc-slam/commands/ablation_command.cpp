@@ -54,7 +54,7 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
                         const Column& column, const InterruptWatch& interrupts) {
   SegmentationOptions segmentation;
   const Settings settings = column_settings(options, column, segmentation);
-  Slam slam(input.camera, settings, chosen_segmenter(segmentation, settings, folder));
+  Slam slam(input.camera, settings, chosen_segmenter(segmentation, settings, folder, input.camera.rotation));
   RunRecord record;
   track_frames(input,
                {colour_mode(settings), false, options.quiet, fmt::format("{}, {}", input.name, column.title)},

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
 #include "core/stopwatch.hpp"
+#include "input/camera_file.hpp"
 #include "report/segment_report.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/output_folder.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 struct Options {
   std::string input, output, frames, size, truth_kind = "masks";
-  std::optional<std::string> weights, truth;
+  std::optional<std::string> weights, truth, camera;
   int threads = 1;
   bool int8 = false, fp32 = false, no_overlays = false, quiet = false;
 };
@@ -78,24 +79,52 @@ cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask) {
   return result;
 }
 
+/// The camera whose `rotation` counts: --camera, or that of a sequence; nothing for photos.
+std::optional<Camera> camera_of(const Options& options, const std::vector<SegmentImage>& images) {
+  if (options.camera) return read_camera(*options.camera);
+  const std::filesystem::path own = std::filesystem::path(options.input) / "camera.yaml";
+  std::error_code fault;
+  if (!images.front().timestamp) return std::nullopt;
+  return std::filesystem::exists(own, fault) ? read_camera(own) : Camera();
+}
+
+/// Which way up an image is: as the camera is mounted, else as a photo's EXIF data say.
+Orientation orientation_of(const StoredImage& stored, const SegmentImage& image, const Options& options,
+                           const std::optional<Camera>& camera) {
+  if (!camera) return stored.orientation;
+  if (options.camera && stored.colour.size() != cv::Size(camera->width, camera->height)) {
+    throw Error(image.path.string(),
+                fmt::format("is {} x {} pixels, but the camera has {} x {}", stored.colour.cols,
+                            stored.colour.rows, camera->width, camera->height),
+                "give the --camera that took these images");
+  }
+  return orientation_of_rotation(camera->rotation);
+}
+
 /// Segments one image, writes the results and tells about it.
-SegmentedImage segment_image(const Options& options, const SegmentImage& image, int frame,
-                             Segmenter& segmenter, OutputFolder& output) {
-  const cv::Mat colour = load_segment_image(image.path);
+SegmentedImage segment_image(const Options& options, const std::optional<Camera>& camera,
+                             const SegmentImage& image, int frame, Segmenter& segmenter,
+                             OutputFolder& output) {
+  const StoredImage stored = load_segment_image(image.path);
+  const Orientation orientation = orientation_of(stored, image, options, camera);
+  const cv::Mat upright = to_upright(stored.colour, orientation);
   SegmentedImage result;
   result.name = image.name;
   Stopwatch watch;
   const double cpu_before = thread_cpu_ms();
-  const cv::Mat mask = segmenter.segment({colour, image.timestamp.value_or(0), frame});
+  const cv::Mat upright_mask = segmenter.segment({upright, image.timestamp.value_or(0), frame});
   result.cpu_ms = thread_cpu_ms() - cpu_before;
   result.wall_ms = watch.lap_ms();
+  const cv::Mat mask = from_upright(upright_mask, orientation);
   result.dynamic_share = cv::countNonZero(mask) / static_cast<double>(mask.total());
   output.write(image.name + ".png", encode_png(mask, PngEffort::fast));
   if (!options.no_overlays) {
-    output.write(image.name + "-overlay.jpg", encode_jpeg(draw_overlay(colour, mask)));
+    // As a viewer shows the image: only EXIF data turn it there.
+    const cv::Mat overlay = camera ? draw_overlay(stored.colour, mask) : draw_overlay(upright, upright_mask);
+    output.write(image.name + "-overlay.jpg", encode_jpeg(overlay));
   }
   if (options.truth) {
-    const auto truth = load_truth(*options.truth, image, mask.size(), truth_kind(options));
+    const auto truth = load_truth(*options.truth, image, mask.size(), truth_kind(options), orientation);
     if (truth) result.counts = count_mask(mask, truth->mask, truth->ignore);
   }
   return result;
@@ -115,6 +144,7 @@ void segment(const Options& options) {
   cv::setNumThreads(1);  // as in `run`
   const std::vector<SegmentImage> images = list_segment_images(options.input, options.frames);
   truth_kind(options);
+  const std::optional<Camera> camera = camera_of(options, images);
   const auto segmenter = make_weights_segmenter(options.weights.value_or(""), network_settings(options));
   OutputFolder output(options.output);
   std::vector<SegmentedImage> results;
@@ -126,7 +156,8 @@ void segment(const Options& options) {
           fmt::format("stopped after {} of {} images, nothing was written", results.size(), images.size()),
           "start again, perhaps with fewer --frames");
     }
-    results.push_back(segment_image(options, image, static_cast<int>(results.size()), *segmenter, output));
+    const auto number = static_cast<int>(results.size());
+    results.push_back(segment_image(options, camera, image, number, *segmenter, output));
     progress.update(static_cast<int>(results.size()));
   }
   progress.finish();
@@ -154,6 +185,11 @@ folder, all at the end or nothing:
   mask.txt          of a sequence: the time of each mask
   segments.csv      share of dynamic pixels, milliseconds and scores of every image
 
+Photos are segmented upright, as their EXIF orientation says (JPEG, and eXIf of PNG). NAME.png lies on the
+pixels as they are stored in the file, NAME-overlay.jpg is upright, as viewers show the photo; true masks may have
+either size. A camera mounted on its side: 'rotation: 90' in the camera file of --camera or of the sequence, degrees
+clockwise that turn the image upright; then EXIF is not applied, and all results lie as the images do.
+
 Scores: IoU, precision and recall of the dynamic pixels; boundary F: how well the outlines agree (within 0.8 %
 of the diagonal). The mean is over images where a score is defined; 'all pixels' counts all images as one.
 
@@ -161,6 +197,7 @@ Examples:
   stdc-slam segment photo.jpg --output masks
   stdc-slam segment rgbd_dataset_freiburg3_walking_xyz --output masks --frames 0:300 --int8
   stdc-slam segment my-walk --output masks --score my-walk/mask
+  stdc-slam segment frames --output masks --camera on-its-side.yaml
   stdc-slam segment people/image --output masks --score people/label --truth labels --weights my.safetensors)";
 
 }  // namespace
@@ -180,6 +217,8 @@ void add_segment_command(CLI::App& app) {
       ->add_option("--size", options->size,
                    "Size of the network's input, multiples of 32; default: as the weights say")
       ->type_name("WxH");
+  command->add_option("--camera", options->camera,
+                      "Camera file whose 'rotation' says which way up the images are, in place of EXIF");
   command->add_option("--threads", options->threads, "Threads of inference")->capture_default_str();
   command->add_option("--score", options->truth, "Folder of true masks to compare with")->type_name("FOLDER");
   command

@@ -10,6 +10,7 @@
 
 #include "commands/segment_images.hpp"
 #include "core/random.hpp"
+#include "core/test_exif.hpp"
 #include "report/segment_report.hpp"
 #include "run/test_sequence.hpp"
 
@@ -51,7 +52,7 @@ class SegmentCommand : public ::testing::Test {
                     i == 1 ? encode_jpeg(colour) : encode_png(colour));
     }
   }
-  cv::Mat mask(const std::string& name) const { return load_segment_image(folder_ / name); }
+  cv::Mat mask(const std::string& name) const { return load_segment_image(folder_ / name).colour; }
   void expect_refusal(const std::string& arguments, const std::string& part) const {
     const Outcome outcome = call(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
@@ -100,6 +101,53 @@ TEST_F(SegmentCommand, ScoresAgainstMasksAndLabels) {
   const double found = cv::countNonZero(mask("o/2.png").rowRange(80, 160));
   EXPECT_TRUE(
       contains(content(folder_ / "labelled/segments.csv"), fmt::format(",{:.6f},", found / (80 * 120))));
+}
+
+TEST_F(SegmentCommand, HonoursTheOrientationOfPhotos) {
+  cv::Mat image;
+  cv::cvtColor(test::test_texture(160).colRange(10, 130), image, cv::COLOR_GRAY2BGR);
+  for (int value = 1; value <= 8; ++value) {
+    const cv::Mat stored = from_upright(image, Orientation{value});
+    folder_.write(fmt::format("in/{}.png", value),
+                  test::png_with_exif(encode_png(stored), test::exif_data(value)));
+  }
+  folder_.write("in/9.jpg", test::jpeg_with_exif(encode_jpeg(image), test::exif_data(8)));
+  ASSERT_EQ(call("in --output o --size 96x64").code, 0);
+  const cv::Mat upright = mask("o/1.png");
+  ASSERT_GT(cv::countNonZero(upright), 0);
+  for (int value = 1; value <= 8; ++value) {
+    const cv::Mat turned = from_upright(upright, Orientation{value});
+    ASSERT_EQ(mask(fmt::format("o/{}.png", value)).size(), turned.size()) << value;
+    EXPECT_EQ(cv::norm(mask(fmt::format("o/{}.png", value)), turned, cv::NORM_INF), 0) << value;
+    EXPECT_EQ(mask(fmt::format("o/{}-overlay.jpg", value)).size(), image.size()) << value;
+    folder_.write(fmt::format("upright/{}.png", value), encode_png(upright));
+  }
+  EXPECT_EQ(mask("o/9.png").size(), image.size());
+  EXPECT_EQ(mask("o/9-overlay.jpg").size(), cv::Size(160, 120));
+  // Quarter turns tell stored from upright masks.
+  const Outcome scored = call("in --frames 4:8 --output scored --size 96x64 --score upright");
+  ASSERT_EQ(scored.code, 0) << scored.err;
+  EXPECT_TRUE(contains(scored.out, "all pixels  100.0 %")) << scored.out;
+}
+
+TEST_F(SegmentCommand, TurnsTheImagesOfATurnedCamera) {
+  cv::Mat image;
+  cv::cvtColor(test::test_texture(160).colRange(10, 130), image, cv::COLOR_GRAY2BGR);
+  folder_.write("upright.png", encode_png(image));
+  folder_.write("turned.png", test::png_with_exif(encode_png(from_upright(image, Orientation::rotate_270)),
+                                                  test::exif_data(3)));
+  folder_.write("c.yaml",
+                std::string("width: 160\nheight: 120\nfx: 99\nfy: 99\ncx: 80\ncy: 60\nrotation: 270\n"));
+  ASSERT_EQ(call("upright.png --output o --size 96x64").code, 0);
+  const Outcome turned = call("turned.png --camera c.yaml --output t --size 96x64");
+  ASSERT_EQ(turned.code, 0) << turned.err;
+  const cv::Mat expected = from_upright(mask("o/upright.png"), Orientation::rotate_270);
+  EXPECT_EQ(cv::norm(mask("t/turned.png"), expected, cv::NORM_INF), 0);
+  EXPECT_EQ(mask("t/turned-overlay.jpg").size(), cv::Size(160, 120));
+  fs::remove_all(folder_ / "o");
+  expect_refusal("upright.png --camera c.yaml --output o --size 96x64",
+                 "upright.png: is 120 x 160 pixels, but the camera has 160 x 120");
+  expect_refusal("upright.png --camera no.yaml --output o", "no.yaml: cannot be opened");
 }
 
 TEST_F(SegmentCommand, RunTakesTheMasksOfASequence) {

@@ -59,6 +59,14 @@ std::vector<SegmentImage> list_all(const fs::path& input) {
   return images;
 }
 
+/// The size that an image file says it has; nothing if there is none.
+std::optional<cv::Size> size_of(const fs::path& path) {
+  std::error_code fault;
+  if (!fs::exists(path, fault)) return std::nullopt;
+  const std::string text = read_file(path, "make it readable");
+  return image_size(Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
 /// A grey PNG as stored; nothing if there is no file.
 std::optional<cv::Mat> load_grey(const fs::path& path, cv::Size size) {
   std::error_code fault;
@@ -81,7 +89,7 @@ std::vector<SegmentImage> list_segment_images(const fs::path& input, const std::
   return {images.begin() + first, images.begin() + end};
 }
 
-cv::Mat load_segment_image(const fs::path& path) {
+StoredImage load_segment_image(const fs::path& path) {
   const std::string text = read_file(path, "restore the image or leave it out");
   const Bytes bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   const auto size = image_size(bytes);
@@ -90,11 +98,19 @@ cv::Mat load_segment_image(const fs::path& path) {
   const DecodedImage decoded = decode_colour(bytes, *size, ColourMode::as_stored);
   if (!decoded.problem.empty())
     throw Error(path.string(), decoded.problem, "restore the image or leave it out");
-  return decoded.image;
+  return {decoded.image, exif_orientation(bytes)};
 }
 
 std::optional<TruthMask> load_truth(const fs::path& folder, const SegmentImage& image, cv::Size size,
-                                    TruthKind kind) {
+                                    TruthKind kind, Orientation orientation) {
+  const cv::Size turned(size.height, size.width);
+  if (swaps_sides(orientation) && size_of(folder / (image.name + ".png")) == turned) {
+    std::optional<TruthMask> truth = load_truth(folder, image, turned, kind);
+    if (!truth) return truth;
+    truth->mask = from_upright(truth->mask, orientation);
+    if (!truth->ignore.empty()) truth->ignore = from_upright(truth->ignore, orientation);
+    return truth;
+  }
   if (kind == TruthKind::masks && image.timestamp) {
     MaskFileSegmenter masks(folder);
     const cv::Mat mask = masks.segment({cv::Mat(size, CV_8UC1), *image.timestamp, 0});

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/orientation.hpp"
+
 namespace stdc::app {
 
 /// An image to be segmented.
@@ -19,8 +21,14 @@ struct SegmentImage {
 /// JPEG files of a folder by name. `range`: "A:B", or empty for all. Throws Error if there are none.
 std::vector<SegmentImage> list_segment_images(const std::filesystem::path& input, const std::string& range);
 
-/// Reads an image of any size as CV_8UC3 or CV_8UC1. Throws Error naming the file.
-cv::Mat load_segment_image(const std::filesystem::path& path);
+/// An image as it is stored.
+struct StoredImage {
+  cv::Mat colour;                                  ///< CV_8UC3 or CV_8UC1
+  Orientation orientation = Orientation::upright;  ///< as its EXIF data say
+};
+
+/// Reads an image of any size. Throws Error naming the file.
+StoredImage load_segment_image(const std::filesystem::path& path);
 
 /// What a mask is compared with.
 struct TruthMask {
@@ -35,8 +43,11 @@ enum class TruthKind {
 };
 
 /// The true mask of an image in `folder`: the PNG of the same name or, for sequences, of the same time (as
-/// `run --masks` finds it); nothing if there is none. Throws Error for a damaged one or another size.
+/// `run --masks` finds it); nothing if there is none. It may lie on the stored image or on the upright one,
+/// where their sizes differ. Throws Error for a damaged one or another size.
+/// @param size  of the stored image
 std::optional<TruthMask> load_truth(const std::filesystem::path& folder, const SegmentImage& image,
-                                    cv::Size size, TruthKind kind);
+                                    cv::Size size, TruthKind kind,
+                                    Orientation orientation = Orientation::upright);
 
 }  // namespace stdc::app

@@ -37,10 +37,10 @@ ColourMode colour_mode(const Settings& settings) {
 }
 
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
-                                            const std::string& sequence) {
+                                            const std::string& sequence, int rotation) {
   const std::filesystem::path masks =
       options.masks ? std::filesystem::path(*options.masks) : std::filesystem::path(sequence) / "mask";
-  return make_segmenter(settings, {options.weights.value_or(""), masks});
+  return make_segmenter(settings, {options.weights.value_or(""), masks}, rotation);
 }
 
 }  // namespace stdc::app

@@ -29,8 +29,9 @@ void apply_segmentation_options(const SegmentationOptions& options, Settings& se
 ColourMode colour_mode(const Settings& settings);
 /// The segmenter that the settings ask for; null if segmentation is off.
 /// @param sequence  folder of the sequence: masks are taken from its `mask` folder if --masks is not given
+/// @param rotation  Camera::rotation
 /// Throws Error if its weights or masks are missing or wrong.
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
-                                            const std::string& sequence);
+                                            const std::string& sequence, int rotation);
 
 }  // namespace stdc::app

@@ -14,7 +14,12 @@ nlohmann::ordered_json camera_to_json(const std::string& camera_file) {
   while (lines.next(line)) {
     const std::size_t colon = line.find(": ");
     const std::string_view value = line.substr(colon + 2);
-    camera[std::string(line.substr(0, colon))] = parse_number(value).value_or(0);
+    nlohmann::ordered_json& entry = camera[std::string(line.substr(0, colon))];
+    if (const auto number = parse_number(value)) {
+      entry = *number;
+    } else {
+      entry = value;  // the name of the lens
+    }
   }
   return camera;
 }

@@ -5,7 +5,7 @@
 
 namespace stdc::app {
 
-/// The lines of a camera file as an object of numbers.
+/// The lines of a camera file as an object: numbers, and the name of the lens.
 nlohmann::ordered_json camera_to_json(const std::string& camera_file);
 
 }  // namespace stdc::app

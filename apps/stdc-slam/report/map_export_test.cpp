@@ -120,7 +120,7 @@ TEST(MapReport, TellsWhatIsThere) {
   EXPECT_NEAR(report.maps[1].last_timestamp, 50 / 30.0, 1e-12);
 
   const std::string text = map_report_text(report);
-  EXPECT_NE(text.find("a.map: map file of version 1, 1.2 MB\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("a.map: map file of version 2, 1.2 MB\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nmap 1: 3 keyframes, "), std::string::npos) << text;
   const auto json = nlohmann::json::parse(map_report_json(report));
   EXPECT_EQ(json["maps"][0]["keyframes"], 3);

@@ -40,10 +40,21 @@ nlohmann::ordered_json to_json(const MapContent& map) {
   return json;
 }
 
+/// ": k1 0.1, k2 ..." or nothing.
+std::string coefficients(const Camera& c) {
+  std::string text;
+  const auto add = [&](const char* name, double value) {
+    if (value != 0) text += fmt::format("{} {} {:g}", text.empty() ? ":" : ",", name, value);
+  };
+  add("k1", c.k1), add("k2", c.k2), add("p1", c.p1), add("p2", c.p2);
+  add("k3", c.k3), add("k4", c.k4), add("k5", c.k5), add("k6", c.k6);
+  return text;
+}
+
 }  // namespace
 
 MapReport describe_map(const std::string& file, std::uintmax_t bytes, const StoredMap& stored) {
-  MapReport report{file, bytes, stored.camera, {}};
+  MapReport report{file, bytes, stored.version, stored.camera, {}};
   const Atlas& atlas = stored.atlas;
   report.maps.resize(atlas.map_count());
   for (const KeyframeId id : atlas.keyframe_ids()) {
@@ -67,11 +78,11 @@ MapReport describe_map(const std::string& file, std::uintmax_t bytes, const Stor
 
 std::string map_report_text(const MapReport& report) {
   const Camera& camera = report.camera;
-  std::string text = fmt::format("{}: map file of version {}, {:.1f} MB\n", report.file, kMapFileVersion,
+  std::string text = fmt::format("{}: map file of version {}, {:.1f} MB\n", report.file, report.version,
                                  1e-6 * static_cast<double>(report.bytes));
-  text += fmt::format("camera: {} x {} px, fx {:g}, fy {:g}, cx {:g}, cy {:g}, {}\n", camera.width,
-                      camera.height, camera.fx, camera.fy, camera.cx, camera.cy,
-                      camera.has_distortion() ? "with distortion" : "no distortion");
+  text += fmt::format("camera: {} x {} px, fx {:g}, fy {:g}, cx {:g}, cy {:g}, {} lens{}\n", camera.width,
+                      camera.height, camera.fx, camera.fy, camera.cx, camera.cy, camera.lens_name(),
+                      coefficients(camera));
   text += fmt::format("{} {}, {}\n", report.maps.size(), report.maps.size() == 1 ? "map" : "maps",
                       counts(total(report)));
   for (std::size_t number = 0; number < report.maps.size(); ++number) {
@@ -95,7 +106,7 @@ std::string map_report_text(const MapReport& report) {
 
 std::string map_report_json(const MapReport& report) {
   nlohmann::ordered_json json{{"file", report.file},
-                              {"version", kMapFileVersion},
+                              {"version", report.version},
                               {"bytes", report.bytes},
                               {"camera", camera_to_json(format_camera(report.camera))}};
   const MapContent all = total(report);

@@ -21,6 +21,7 @@ struct MapContent {
 struct MapReport {
   std::string file;
   std::uintmax_t bytes = 0;
+  std::uint32_t version = kMapFileVersion;
   Camera camera;
   std::vector<MapContent> maps;
 };

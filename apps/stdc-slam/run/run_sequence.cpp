@@ -94,7 +94,8 @@ void run_sequence(const RunOptions& options) {
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames);
-  auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence.string());
+  auto segmenter =
+      chosen_segmenter(options.segmentation, settings, options.sequence.string(), input.camera.rotation);
   OutputFolder output(options.output);
   check_place_for_map(options);
   std::optional<DebugImages> pictures;
