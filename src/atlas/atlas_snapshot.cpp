@@ -29,8 +29,7 @@ void AtlasSnapshot::add_landmarks(const Atlas& atlas, std::size_t first) {
     if (!atlas.has(LandmarkId{static_cast<std::uint32_t>(id)})) continue;
     const Landmark& landmark = atlas.landmark({static_cast<std::uint32_t>(id)});
     if (landmark.observations.empty()) continue;
-    landmarks_.push_back(
-        {landmark.position, atlas.keyframe(landmark.observations.front().keyframe).map});
+    landmarks_.push_back({landmark.position, atlas.keyframe(landmark.observations.front().keyframe).map});
   }
 }
 

@@ -7,8 +7,8 @@
 namespace stdc {
 
 /// What there is to ask of an atlas while a worker has it: poses and positions as they were when it was last
-/// taken. Costs a copy of them, a few milliseconds for the largest maps; whoever changed the atlas pays it, so
-/// that asking is cheap.
+/// taken. Costs a copy of them, a few milliseconds for the largest maps; whoever changed the atlas pays it,
+/// so that asking is cheap.
 class AtlasSnapshot {
  public:
   AtlasSnapshot() = default;

@@ -23,13 +23,14 @@ TEST_F(AtlasSnapshotTest, HoldsWhatTheAtlasHolds) {
   EXPECT_EQ(snapshot.landmark_count(), mapped.atlas.landmark_count());
   for (const KeyframeId id : mapped.atlas.keyframe_ids()) {
     EXPECT_TRUE(snapshot.is_kept(id));
-    EXPECT_TRUE(
-        test::same_bytes(snapshot.keyframes()[id.value].cam_from_world, mapped.atlas.keyframe(id).cam_from_world));
+    EXPECT_TRUE(test::same_bytes(snapshot.keyframes()[id.value].cam_from_world,
+                                 mapped.atlas.keyframe(id).cam_from_world));
   }
   const auto positions = snapshot.landmark_positions({0});
   const auto ids = mapped.atlas.landmark_ids();
   ASSERT_EQ(positions.size(), ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(positions[i], mapped.atlas.landmark(ids[i]).position);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    EXPECT_EQ(positions[i], mapped.atlas.landmark(ids[i]).position);
   EXPECT_TRUE(snapshot.landmark_positions({1}).empty());
 }
 

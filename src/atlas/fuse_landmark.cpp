@@ -44,10 +44,10 @@ void merge_landmarks(Atlas& atlas, LandmarkId from, LandmarkId into, const Senso
   realign_all(atlas, sensor, into);
 }
 
-bool fuse_landmark(Atlas& atlas, KeyframeId keyframe, LandmarkId landmark, const SensorModel& sensor, const FuseSearch& search) {
+bool fuse_landmark(Atlas& atlas, KeyframeId keyframe, LandmarkId landmark, const SensorModel& sensor,
+                   const FuseSearch& search) {
   if (atlas.keypoint_of(landmark, keyframe) >= 0) return false;
-  const int keypoint =
-      find_in_keyframe(atlas.keyframe(keyframe), atlas.landmark(landmark), sensor, search);
+  const int keypoint = find_in_keyframe(atlas.keyframe(keyframe), atlas.landmark(landmark), sensor, search);
   if (keypoint < 0) return false;
   const LandmarkId standing = atlas.keyframe(keyframe).landmarks[keypoint];
   if (!standing.valid()) {

@@ -17,7 +17,8 @@ struct FuseSearch {
 /// Lets a keyframe see a landmark if it can; where the keypoint has a landmark already the two are merged
 /// (Mur-Artal et al., 'ORB-SLAM', T-RO 2015, sec. VI-C). The observations of what is left are aligned to its
 /// first one. True if the map changed. The keyframe's covisibility is not updated.
-bool fuse_landmark(Atlas& atlas, KeyframeId keyframe, LandmarkId landmark, const SensorModel& sensor, const FuseSearch& search);
+bool fuse_landmark(Atlas& atlas, KeyframeId keyframe, LandmarkId landmark, const SensorModel& sensor,
+                   const FuseSearch& search);
 
 /// Two landmarks are one: all that sees `from` sees `into`, and is aligned to its first observation.
 void merge_landmarks(Atlas& atlas, LandmarkId from, LandmarkId into, const SensorModel& sensor);

@@ -37,9 +37,8 @@ struct Target {
   Eigen::Vector2f origin = Eigen::Vector2f::Zero();  ///< of the image on its level [px]
 };
 
-std::optional<AlignedObservation> align(const SensorModel& sensor,
-                                        const ReferenceView& reference, const Eigen::Matrix2f& warp,
-                                        const Target& target, float reach) {
+std::optional<AlignedObservation> align(const SensorModel& sensor, const ReferenceView& reference,
+                                        const Eigen::Matrix2f& warp, const Target& target, float reach) {
   const float reference_scale = reference.features->scale_of(reference.keypoint);
   PatchTemplate pattern;
   if (!pattern.make(*reference.features->patch(reference.keypoint), warp * (reference_scale / target.scale)))
@@ -64,8 +63,7 @@ ReferenceView reference_view_of(const Atlas& atlas, const Landmark& landmark) {
           keyframe.measurements[oldest.keypoint].seen};
 }
 
-std::optional<AlignedObservation> align_in_image(const SensorModel& sensor,
-                                                 const ReferenceView& reference,
+std::optional<AlignedObservation> align_in_image(const SensorModel& sensor, const ReferenceView& reference,
                                                  const Eigen::Vector3d& position, const Pose& cam_from_world,
                                                  const FrameFeatures& features, const Pyramid& pyramid,
                                                  const Eigen::Vector2f& start, float reach) {
@@ -103,9 +101,9 @@ void align_observation(Atlas& atlas, const SensorModel& sensor, LandmarkId landm
     observation = align(sensor, reference, *warp, target, kReach).value_or(observation);
   }
   const auto z = static_cast<float>((keyframe.cam_from_world * landmark.position).z());
-  atlas.set_measurement(
-      keyframe_id, keypoint,
-      measure(sensor.camera, keyframe.motion, observation.seen, z, features.depth(keypoint), observation.scale));
+  atlas.set_measurement(keyframe_id, keypoint,
+                        measure(sensor.camera, keyframe.motion, observation.seen, z, features.depth(keypoint),
+                                observation.scale));
 }
 
 }  // namespace stdc

@@ -37,8 +37,7 @@ struct AlignedObservation {
 /// @param start     raw pixel where it is looked for
 /// @param reach     most that it may lie from there [px of the level]
 /// Nothing if the patch cannot be aligned there.
-std::optional<AlignedObservation> align_in_image(const SensorModel& sensor,
-                                                 const ReferenceView& reference,
+std::optional<AlignedObservation> align_in_image(const SensorModel& sensor, const ReferenceView& reference,
                                                  const Eigen::Vector3d& position, const Pose& cam_from_world,
                                                  const FrameFeatures& features, const Pyramid& pyramid,
                                                  const Eigen::Vector2f& start, float reach);
@@ -46,7 +45,6 @@ std::optional<AlignedObservation> align_in_image(const SensorModel& sensor,
 /// Aligns the observation of a landmark by a keyframe, whose image is gone, within the keypoint's patch. If
 /// that fails the keypoint's own position is the measurement; the reference view's own observation stays as
 /// it is.
-void align_observation(Atlas& atlas, const SensorModel& sensor, LandmarkId landmark,
-                       KeyframeId keyframe);
+void align_observation(Atlas& atlas, const SensorModel& sensor, LandmarkId landmark, KeyframeId keyframe);
 
 }  // namespace stdc

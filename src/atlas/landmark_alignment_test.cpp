@@ -96,8 +96,8 @@ TEST_F(Alignment, RefusesWhatLooksDifferentOrLiesBehind) {
       align_in_image({camera(), noise}, reference, position, turned, *view.features, pyramids[1], there, 3));
   Pyramid flat;
   flat.build(cv::Mat(320, 400, CV_8UC1, cv::Scalar(90)), test::scene_feature_settings());
-  EXPECT_FALSE(align_in_image({camera(), noise}, reference, position, view.cam_from_world, *view.features, flat,
-                              there, 3));
+  EXPECT_FALSE(align_in_image({camera(), noise}, reference, position, view.cam_from_world, *view.features,
+                              flat, there, 3));
   const Eigen::Vector2f outside(-30, 100);
   EXPECT_FALSE(align_in_image({camera(), noise}, reference, position, view.cam_from_world, *view.features,
                               pyramids[1], outside, 3));

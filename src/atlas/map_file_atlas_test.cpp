@@ -83,7 +83,10 @@ TEST(AtlasFile, WhatMapsSayOfEachOtherIsChecked) {
             "a keyframe knows one of another map");
   EXPECT_EQ(complaint([](Keyframes& k) { k[0].loops = {}; }), "a loop edge is not mutual");
   EXPECT_EQ(complaint([](Keyframes& k) { k[1].loops = {{1}}; }), "a keyframe has a loop edge to itself");
-  EXPECT_EQ(complaint([](Keyframes& k) { k[3].loops = {{2}, {0}}; }), "a keyframe's loop edges are out of order");
+  EXPECT_EQ(complaint([](Keyframes& k) {
+              k[3].loops = {{2}, {0}};
+            }),
+            "a keyframe's loop edges are out of order");
   EXPECT_EQ(complaint([](Keyframes& k) {
               k[3].loops = {{0}, {0}, {2}};
             }),

@@ -25,8 +25,8 @@ std::optional<ViewingImage::Expected> ViewingImage::expect(const LandmarkGeometr
   if (distance < kNearer * landmark.min_distance || distance > kFarther * landmark.max_distance) return {};
   const float cosine = ray.dot(landmark.direction) / distance;
   if (cosine < kMinCosine) return {};
-  const int level = static_cast<int>(
-      std::ceil(std::log(landmark.max_distance / distance) / features_.log_scale_factor()));
+  const int level =
+      static_cast<int>(std::ceil(std::log(landmark.max_distance / distance) / features_.log_scale_factor()));
   return Expected{pixel->cast<float>(), cosine, std::clamp(level, 0, features_.levels() - 1)};
 }
 

@@ -140,7 +140,8 @@ std::vector<KeyframeId> adjust_seam(const LoopTools& tools, Atlas& atlas, const 
   }
   constexpr int kFixed = 20;
   MapBundle bundle = make_map_bundle(atlas, moving, other_observers(atlas, moving, kFixed));
-  const BundleResult result = bundle_adjust(tools.sensor.camera, bundle.problem, tools.sensor.noise, tools.bundle);
+  const BundleResult result =
+      bundle_adjust(tools.sensor.camera, bundle.problem, tools.sensor.noise, tools.bundle);
   apply_bundle(atlas, bundle, result);
   return moving;
 }
@@ -152,8 +153,7 @@ LoopReport close_loop(const LoopTools& tools, Atlas& atlas, const VerifiedLoop& 
   report.frame = atlas.keyframe(loop.current).frame;
   report.matched_frame = atlas.keyframe(loop.matched).frame;
   report.merged = atlas.keyframe(loop.current).map != atlas.keyframe(loop.matched).map;
-  report.drift =
-      (atlas.keyframe(loop.current).cam_from_world.centre() - loop.cam_from_world.centre()).norm();
+  report.drift = (atlas.keyframe(loop.current).cam_from_world.centre() - loop.cam_from_world.centre()).norm();
   Pose corrected_from_world;
   if (report.merged) {
     join_maps(atlas, loop);

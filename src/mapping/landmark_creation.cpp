@@ -156,7 +156,8 @@ int create_landmarks(Atlas& atlas, KeyframeId keyframe, const SensorModel& senso
       const auto position = locate(sensor.camera, a, b, pair, settings.min_parallax);
       if (!position || !position->allFinite()) continue;
       if (!agrees(sensor.camera, a, pair.first, *position, sensor.noise) ||
-          !agrees(sensor.camera, b, pair.second, *position, sensor.noise) || !scales_agree(a, b, pair, *position)) {
+          !agrees(sensor.camera, b, pair.second, *position, sensor.noise) ||
+          !scales_agree(a, b, pair, *position)) {
         continue;
       }
       const LandmarkId landmark = atlas.add_landmark(*position, keyframe);

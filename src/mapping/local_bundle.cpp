@@ -4,8 +4,8 @@
 
 namespace stdc {
 
-LocalBundleReport adjust_locally(Atlas& atlas, KeyframeId keyframe, const SensorModel& sensor, const BundleSettings& settings_of_bundle,
-                                 const MappingSettings& settings) {
+LocalBundleReport adjust_locally(Atlas& atlas, KeyframeId keyframe, const SensorModel& sensor,
+                                 const BundleSettings& settings_of_bundle, const MappingSettings& settings) {
   std::vector<KeyframeId> moving{keyframe};
   for (const Covisible& c : atlas.keyframe(keyframe).covisible) {
     if (static_cast<int>(moving.size()) >= settings.bundle_keyframes) break;

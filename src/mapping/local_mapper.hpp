@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
-#include "estimation/sensor_model.hpp"
 #include "estimation/bundle_adjustment.hpp"
+#include "estimation/sensor_model.hpp"
 #include "mapping/local_bundle.hpp"
 #include "mapping/mapping_settings.hpp"
 
@@ -12,10 +12,10 @@ namespace stdc {
 
 /// What mapping a keyframe did and how long it took.
 struct MappingReport {
-  double total_ms = 0;                          ///< wall, of the mapping thread
-  double bundle_ms = 0;                         ///< of which local bundle adjustment
-  LocalBundleReport bundle;                     ///< its size
-  int triangulated = 0, fused = 0;              ///< landmarks
+  double total_ms = 0;              ///< wall, of the mapping thread
+  double bundle_ms = 0;             ///< of which local bundle adjustment
+  LocalBundleReport bundle;         ///< its size
+  int triangulated = 0, fused = 0;  ///< landmarks
   int culled_keyframes = 0;
 };
 

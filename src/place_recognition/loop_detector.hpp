@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
-#include "place_recognition/place_recognition_settings.hpp"
 #include "place_recognition/place_index.hpp"
+#include "place_recognition/place_recognition_settings.hpp"
 
 namespace stdc {
 

@@ -15,7 +15,7 @@ struct VerifiedLoop {
   /// Inverse covariance of that, for a left perturbation (translation [m], rotation [rad]).
   Matrix6d information = Matrix6d::Zero();
   std::vector<PlaceObservation> observations;  ///< keypoints of the current keyframe, landmarks of the place
-  int back_inliers = 0;                        ///< of them, how many agree in the matched keyframe's image too
+  int back_inliers = 0;  ///< of them, how many agree in the matched keyframe's image too
 };
 
 /// Whether a keyframe sees the place of another one: `find_in_place`, and the other way round: the points

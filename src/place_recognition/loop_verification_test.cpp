@@ -16,7 +16,8 @@ using test::Scene;
 
 std::optional<VerifiedLoop> verify(const Revisit& revisit, KeyframeId current, KeyframeId candidate,
                                    const PlaceRecognitionSettings& settings = {}) {
-  return verify_loop({{revisit.mapped.scene.camera, {}}, {}}, revisit.mapped.atlas, current, candidate, settings);
+  return verify_loop({{revisit.mapped.scene.camera, {}}, {}}, revisit.mapped.atlas, current, candidate,
+                     settings);
 }
 
 TEST(LoopVerification, MeasuresTheDrift) {

@@ -12,7 +12,8 @@ namespace {
 
 /// Matches by descriptor to each keyframe of the window; each keypoint and each landmark keeps its nearest.
 std::vector<PlaceObservation> match_window(const Atlas& atlas, const std::vector<KeyframeId>& window,
-                                           const FrameFeatures& image, const PlaceRecognitionSettings& settings) {
+                                           const FrameFeatures& image,
+                                           const PlaceRecognitionSettings& settings) {
   constexpr int kNone = 257;
   struct Best {
     LandmarkId landmark;

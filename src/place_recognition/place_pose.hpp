@@ -20,9 +20,9 @@ struct PlaceObservation {
 struct PlacePose {
   KeyframeId keyframe;  ///< of the place: the first of its window
   Pose cam_from_world;
-  Matrix6d information = Matrix6d::Zero();      ///< as in PoseOptimisationResult
-  std::vector<PlaceObservation> observations;   ///< those that agree
-  int visible = 0;                              ///< landmarks of the place that should be seen
+  Matrix6d information = Matrix6d::Zero();     ///< as in PoseOptimisationResult
+  std::vector<PlaceObservation> observations;  ///< those that agree
+  int visible = 0;                             ///< landmarks of the place that should be seen
 };
 
 /// What is needed of an image to place it; a frame or a keyframe.

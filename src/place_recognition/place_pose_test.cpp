@@ -39,8 +39,7 @@ TEST_F(PlacePoseTest, FindsAPoseFarFromTheKeyframes) {
   EXPECT_LT(test::centre_error(found->cam_from_world, view.cam_from_world), 0.01);
   EXPECT_LT(test::angle_error(found->cam_from_world, view.cam_from_world), 0.004);
   int common = 0;
-  for (int i = 0; i < view.features->size(); ++i)
-    common += mapped.landmarks[view.points[i]].valid() ? 1 : 0;
+  for (int i = 0; i < view.features->size(); ++i) common += mapped.landmarks[view.points[i]].valid() ? 1 : 0;
   EXPECT_EQ(wrong(*found, view), 0);
   EXPECT_GT(found->observations.size(), 0.85 * common);
 }

@@ -132,7 +132,8 @@ void BackEnd::start_pending(int frame) {
   if (loop_) {
     close_loop(frame);
   } else if (bundle_state_ == BundleState::solved) {
-    start(JobKind::apply_bundle, frame + settings_.system.mapping_latency, [this] { bundle_->apply(atlas_); });
+    start(JobKind::apply_bundle, frame + settings_.system.mapping_latency,
+          [this] { bundle_->apply(atlas_); });
   } else if (!bundle_ && next_bundle_) {
     start_bundle(frame);
   }

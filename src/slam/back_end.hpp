@@ -52,8 +52,8 @@ class BackEnd {
 
   /// An atlas from a file, before the first frame. Its places are learnt until then.
   void set_atlas(Atlas atlas);
-  /// Notes a keyframe and its landmarks, those from `first_landmark` on, that were just put into the atlas, and
-  /// starts to map it.
+  /// Notes a keyframe and its landmarks, those from `first_landmark` on, that were just put into the atlas,
+  /// and starts to map it.
   void map_keyframe(KeyframeId keyframe, std::size_t first_landmark, int frame);
   /// Collects what is due at a frame; waits for it if need be. `now`: whatever is under way.
   BackEndUpdate collect(int frame, bool now);

@@ -80,8 +80,8 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
   if (settings_.system.report_keypoints) result.dynamic_mask = dynamic.mask;
 }
 
-/// The atlas comes back at the frame that was fixed when it was given away, or when tracking has been lost and
-/// needs all of it.
+/// The atlas comes back at the frame that was fixed when it was given away, or when tracking has been lost
+/// and needs all of it.
 void Pipeline::collect(TrackingResult& result) {
   Stopwatch watch;
   BackEndUpdate update = back_end_.collect(next_frame_ - 1, !tracker_.has_last());

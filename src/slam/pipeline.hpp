@@ -18,8 +18,8 @@
 
 namespace stdc {
 
-/// What happens to a frame, step by step. Beside it the back end works on the atlas; while it has the atlas the
-/// tracker has a copy of what is around the camera.
+/// What happens to a frame, step by step. Beside it the back end works on the atlas; while it has the atlas
+/// the tracker has a copy of what is around the camera.
 class Pipeline {
  public:
   /// `segmenter`: null for none.

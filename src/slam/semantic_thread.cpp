@@ -96,14 +96,16 @@ void SemanticThread::complete_mask() {
   result_.report.propagation_ms += watch.lap_ms();
   const bool has_depth = !image_.depth.empty();
   // A rim of background claims the background around it.
-  if (settings_.border_trimming && has_depth) mask = settle_by_depth(mask, image_.depth, depth_units_per_metre_);
+  if (settings_.border_trimming && has_depth)
+    mask = settle_by_depth(mask, image_.depth, depth_units_per_metre_);
   if (settings_.refinement && has_depth) {
     mask = refine(mask, image_.depth, depth_units_per_metre_, refinement_);
   }
   result_.report.refinement_ms = watch.lap_ms();
   result_.mask = mask;
   result_.report.mask_age = frame_ - mask_frame_;
-  result_.report.dynamic_share = static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
+  result_.report.dynamic_share =
+      static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
 }
 
 /// A mask that came too late to be carried is better than none.

@@ -21,8 +21,8 @@ class Pipeline;
 ///     slam.finish();
 ///     auto trajectory = slam.trajectory();
 ///
-/// The same frames and settings give the same results, however fast the machine is, whatever else it does, and
-/// whatever is asked in between.
+/// The same frames and settings give the same results, however fast the machine is, whatever else it does,
+/// and whatever is asked in between.
 ///
 /// When tracking is lost for good another map is started; when they show the same place the two become one,
 /// in the coordinates of the older. A map can be saved, and loaded by a later session, which goes on with it
@@ -54,8 +54,8 @@ class Slam {
   /// @returns the loops among that
   std::vector<LoopReport> finish();
 
-  // The state as the tracking thread knows it: what was last collected from the workers, and the keyframes made
-  // since. Cheap, at any time, and without any effect on the results. After finish(): the final state.
+  // The state as the tracking thread knows it: what was last collected from the workers, and the keyframes
+  // made since. Cheap, at any time, and without any effect on the results. After finish(): the final state.
 
   /// Poses of all tracked frames in order of time, each relative to its reference keyframe as now optimised.
   /// With `system.localisation_only` there are none: those of the results are final, and a session may be

@@ -25,7 +25,8 @@ enum class TrackingStatus {
 /// What became of one keypoint of a frame; for drawing.
 enum class KeypointState : std::uint8_t { unmatched, inlier, outlier };
 
-/// Wall milliseconds of the tracking thread spent on this frame, by stage; 0 for a stage that it did not pass.
+/// Wall milliseconds of the tracking thread spent on this frame, by stage; 0 for a stage that it did not
+/// pass.
 struct StageTimes {
   double extraction = 0;      ///< pyramid to descriptors, without what follows
   double mask_wait = 0;       ///< waiting for the mask, once the candidates are found
@@ -41,12 +42,13 @@ struct StageTimes {
 
 /// What the semantic thread found out about a frame.
 struct SegmentationReport {
-  int mask_age = -1;         ///< frames between the image that was segmented and this one; -1: there is no mask
+  int mask_age = -1;  ///< frames between the image that was segmented and this one; -1: there is no mask
   double dynamic_share = 0;  ///< of the pixels, after refinement
-  std::optional<double> segmentation_ms;  ///< wall, of the segmentation that was collected at this frame, if any
-  double propagation_ms = 0;              ///< wall, carrying the mask to this frame
-  double refinement_ms = 0;               ///< wall, of the SRM
-  std::string problem;                    ///< why a frame could not be segmented; empty: none
+  std::optional<double>
+      segmentation_ms;        ///< wall, of the segmentation that was collected at this frame, if any
+  double propagation_ms = 0;  ///< wall, carrying the mask to this frame
+  double refinement_ms = 0;   ///< wall, of the SRM
+  std::string problem;        ///< why a frame could not be segmented; empty: none
 };
 
 /// What track() tells about a frame.

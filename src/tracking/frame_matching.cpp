@@ -125,8 +125,9 @@ void align_matches(const SensorModel& sensor, const LocalMap& local_map,
     const ReferenceView reference{view.features.get(), landmark.view_keypoint, view.cam_from_world,
                                   landmark.view_pixel};
     const Keypoint& keypoint = frame.features->keypoint(match.keypoint);
-    const auto observation = align_in_image(sensor, reference, match.position, frame.cam_from_world,
-                                            *frame.features, *frame.pyramid, {keypoint.x, keypoint.y}, kReach);
+    const auto observation =
+        align_in_image(sensor, reference, match.position, frame.cam_from_world, *frame.features,
+                       *frame.pyramid, {keypoint.x, keypoint.y}, kReach);
     if (!observation) continue;
     const auto z = static_cast<float>((frame.cam_from_world * match.position).z());
     frame.measurements[match.keypoint] = measure(sensor.camera, frame.motion, observation->seen, z,

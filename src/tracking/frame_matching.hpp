@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/camera.hpp"
-#include "estimation/sensor_model.hpp"
 #include "estimation/pose_optimisation.hpp"
+#include "estimation/sensor_model.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
 #include "tracking/tracking_settings.hpp"
@@ -20,8 +20,8 @@ struct FrameMatch {
 };
 
 /// Matches the landmarks that the last frame saw around where the frame's predicted pose and motion put them,
-/// with consistent rotations. Where they are few, points made of the last frame's other keypoints with depth are
-/// matched too.
+/// with consistent rotations. Where they are few, points made of the last frame's other keypoints with depth
+/// are matched too.
 /// @param radius  search radius [px] on level 0; grows with the level's scale
 std::vector<FrameMatch> match_last_frame(const Camera& camera, const LocalMap& local_map,
                                          const TrackedFrame& last, const TrackedFrame& frame, double radius,

@@ -52,7 +52,8 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
   return few_tracked || moved || (long_ago && frame.inliers < 0.9 * reference);
 }
 
-KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame& frame, const TrackingSettings& settings, MapId map) {
+KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame& frame,
+                           const TrackingSettings& settings, MapId map) {
   const FrameFeatures& features = *frame.features;
   const bool first = map == atlas.next_map();
   const KeyframeId keyframe = atlas.add_keyframe({frame.index, frame.timestamp, frame.cam_from_world,
@@ -73,7 +74,8 @@ KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame
     const bool enough = !first && static_cast<int>(rank) >= settings.initial_landmarks;
     if (measurement.depth > settings.close_depth && enough) break;
     const LandmarkId landmark = atlas.add_landmark(
-        world_from_cam * sensor.camera.unproject(measurement.pixel.cast<double>(), measurement.depth), keyframe);
+        world_from_cam * sensor.camera.unproject(measurement.pixel.cast<double>(), measurement.depth),
+        keyframe);
     atlas.observe(keyframe, i, landmark);
     atlas.refresh(landmark);
     // This observation defines what the landmark is.

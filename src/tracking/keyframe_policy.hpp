@@ -21,6 +21,7 @@ bool needs_keyframe(const Camera& camera, const TrackedFrame& frame, const Local
 /// the depths of its other keypoints: all close ones, and in any case the nearest `initial_landmarks`. The
 /// frame then sees these too.
 /// @param map  to which it goes; `atlas.next_map()` starts another one
-KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame& frame, const TrackingSettings& settings, MapId map = {0});
+KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame& frame,
+                           const TrackingSettings& settings, MapId map = {0});
 
 }  // namespace stdc

@@ -112,7 +112,8 @@ TEST(KeyframePolicy, InsertsWithTheFramesLandmarksAndMakesCloseOnes) {
   scene.frame.measurements[0].scale = 0.7F;  // aligned by the tracker
   const TrackedFrame before = scene.frame;
   const int landmarks = atlas.landmark_count();
-  const KeyframeId id = insert_keyframe(atlas, {scene.mapped.scene.camera, noise}, scene.frame, scene.settings);
+  const KeyframeId id =
+      insert_keyframe(atlas, {scene.mapped.scene.camera, noise}, scene.frame, scene.settings);
   test::expect_consistent(atlas);
   const Keyframe& keyframe = atlas.keyframe(id);
   EXPECT_EQ(keyframe.frame, 31);

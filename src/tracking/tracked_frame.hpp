@@ -16,12 +16,13 @@ struct TrackedFrame {
   double timestamp = 0;  ///< [s]
   std::shared_ptr<const FrameFeatures> features;
   std::shared_ptr<const Pyramid> pyramid;  ///< of the image, while the frame is being tracked
-  Pose cam_from_world;                    ///< when the middle row was read
-  CameraMotion motion;                    ///< about that pose
-  std::vector<Measurement> measurements;  ///< per keypoint
-  std::vector<LandmarkId> landmarks;      ///< per keypoint; invalid: none
+  Pose cam_from_world;                     ///< when the middle row was read
+  CameraMotion motion;                     ///< about that pose
+  std::vector<Measurement> measurements;   ///< per keypoint
+  std::vector<LandmarkId> landmarks;       ///< per keypoint; invalid: none
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
-  int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation with the local map
+  int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation
+                    ///< with the local map
   int inliers = 0;  ///< landmarks that agree with the pose in the end
 
   TrackedFrame() = default;

@@ -15,8 +15,9 @@ namespace stdc {
 /// What came of tracking a frame from the last one.
 struct TrackAttempt {
   bool tracked = false;
-  double prediction_ms = 0;  ///< wall: matching to the last frame or the reference keyframe, first optimisation
-  double local_map_ms = 0;   ///< wall: matching to the local map, aligning, optimising
+  double prediction_ms =
+      0;  ///< wall: matching to the last frame or the reference keyframe, first optimisation
+  double local_map_ms = 0;  ///< wall: matching to the local map, aligning, optimising
 };
 
 /// Finds the pose of each frame from that of the frame before and the local map, as ORB-SLAM does: predict,

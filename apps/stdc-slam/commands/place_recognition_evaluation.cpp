@@ -36,7 +36,7 @@ PlaceRecognitionTest::View PlaceRecognitionTest::make_view(int frame, const Rgbd
                                                               extractor_.levels(grey.colour.size()), nullptr);
   View view{frame, grey.timestamp, {}, {}, coarse_depth(camera_, grey.depth)};
   view.keyframe = atlas_.add_keyframe({frame, grey.timestamp, cam_from_world, CameraMotion(), features,
-                                     measure_keypoints(camera_, CameraMotion(), *features)});
+                                       measure_keypoints(camera_, CameraMotion(), *features)});
   const Pose world_from_cam = cam_from_world.inverse();
   for (int i = 0; i < features->size(); ++i) {
     if (features->depth(i) <= 0) continue;

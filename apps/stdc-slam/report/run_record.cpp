@@ -16,16 +16,11 @@ struct Stage {
 };
 
 constexpr std::array kStages{
-    Stage{"extraction", &StageTimes::extraction},
-    Stage{"mask_wait", &StageTimes::mask_wait},
-    Stage{"rejection", &StageTimes::rejection},
-    Stage{"prediction", &StageTimes::prediction},
-    Stage{"local_map", &StageTimes::local_map},
-    Stage{"relocalisation", &StageTimes::relocalisation},
-    Stage{"keyframe", &StageTimes::keyframe},
-    Stage{"wait", &StageTimes::wait},
-    Stage{"total", &StageTimes::total},
-    Stage{"total_cpu", &StageTimes::total_cpu},
+    Stage{"extraction", &StageTimes::extraction}, Stage{"mask_wait", &StageTimes::mask_wait},
+    Stage{"rejection", &StageTimes::rejection},   Stage{"prediction", &StageTimes::prediction},
+    Stage{"local_map", &StageTimes::local_map},   Stage{"relocalisation", &StageTimes::relocalisation},
+    Stage{"keyframe", &StageTimes::keyframe},     Stage{"wait", &StageTimes::wait},
+    Stage{"total", &StageTimes::total},           Stage{"total_cpu", &StageTimes::total_cpu},
 };
 
 bool processed(const TrackingResult& result) { return result.status != TrackingStatus::skipped; }
@@ -50,8 +45,8 @@ int keyframes_of(const LocalBundleReport& bundle) { return bundle.keyframes + bu
 
 std::string csv_row(const TrackingResult& r) {
   std::string row = fmt::format("{},{:.6f},{},{},{},{},{},{},{}", r.frame, r.timestamp, status_name(r.status),
-                                r.map.valid() ? std::to_string(r.map.value) : "", r.keypoints_high, r.keypoints_low,
-                                r.matches, r.inliers, r.is_keyframe ? 1 : 0);
+                                r.map.valid() ? std::to_string(r.map.value) : "", r.keypoints_high,
+                                r.keypoints_low, r.matches, r.inliers, r.is_keyframe ? 1 : 0);
   for (const Stage& stage : kStages) {
     fmt::format_to(std::back_inserter(row), ",{:.3f}", r.milliseconds.*stage.time);
   }

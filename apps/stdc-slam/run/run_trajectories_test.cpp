@@ -10,7 +10,10 @@ std::vector<FramePose> frames_in(const std::vector<int>& maps) {
   std::vector<FramePose> poses;
   for (const int map : maps) {
     const int frame = static_cast<int>(poses.size());
-    poses.push_back({frame, 0.1 * frame, Pose(Eigen::Quaterniond::Identity(), {1.0 * frame, 0, 0}), {static_cast<std::uint32_t>(map)}});
+    poses.push_back({frame,
+                     0.1 * frame,
+                     Pose(Eigen::Quaterniond::Identity(), {1.0 * frame, 0, 0}),
+                     {static_cast<std::uint32_t>(map)}});
   }
   return poses;
 }
