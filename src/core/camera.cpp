@@ -55,15 +55,6 @@ bool Camera::shows_beyond(const Eigen::Vector2d& ideal) const {
   return (undistort(raw) - ideal).norm() < 1;
 }
 
-double Camera::stretch(const Eigen::Vector2d& raw) const {
-  if (!has_distortion()) return 1;
-  const Eigen::Vector2d n = undistort_normalised(lens_of(*this), {(raw.x() - cx) / fx, (raw.y() - cy) / fy});
-  Eigen::Matrix2d jacobian;
-  distort_normalised(lens_of(*this), n, &jacobian);
-  constexpr double kNotWorthIt = 1.2;
-  return std::max(1.0, 1 / (kNotWorthIt * std::sqrt(std::max(jacobian.determinant(), 1e-4))));
-}
-
 void Camera::validate(const std::string& where) const {
   require(width >= 64 && height >= 64 && width <= 16384 && height <= 16384, where,
           "image size is outside 64..16384 pixels", "give width and height in pixels");

@@ -20,8 +20,7 @@ enum class LensModel {
 /// "Raw" pixels are those of the image file; "ideal" pixels are where an undistorted lens with the same
 /// fx, fy, cx, cy would have put them: for a wide lens many of them lie outside the image's rectangle. The
 /// depth image is registered to the colour image: raw pixels. Pixel (0, 0) is the centre of the top left
-/// pixel. A direct consequence: what is 90 degrees off the axis or more has no ideal pixel; kMaxAngle is the
-/// limit.
+/// pixel. What is 90 degrees off the axis or more has no ideal pixel; kMaxAngle is the limit.
 struct Camera {
   static constexpr double kMaxAngle = 1.4835;  ///< off the optical axis [rad], 85 degrees
 
@@ -63,9 +62,6 @@ struct Camera {
   bool shows(const Eigen::Vector2d& ideal) const {
     return contains(ideal) || (has_distortion() && shows_beyond(ideal));
   }
-  /// Ideal pixels per raw pixel where a keypoint lies, for windows and noise given in raw pixels. 1 for
-  /// lenses of ordinary width: what they stretch, up to 20 %, is not worth the time.
-  double stretch(const Eigen::Vector2d& raw) const;
   /// The row that was read when an ideal pixel was seen; five coefficients: its own row, near enough.
   double row_of(const Eigen::Vector2d& ideal) const {
     return lens == LensModel::equidistant || k4 != 0 || k5 != 0 || k6 != 0 ? distort(ideal).y() : ideal.y();

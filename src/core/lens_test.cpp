@@ -167,12 +167,6 @@ TEST(Lens, WhatTheImageShowsMayLieOutsideTheIdealRectangle) {
       << "folded onto the centre";
 }
 
-TEST(Lens, OrdinaryLensesDoNotStretch) {
-  EXPECT_EQ(tele().stretch({3, 4}), 1);
-  EXPECT_EQ(fisheye(120).stretch({320, 240}), 1);
-  EXPECT_GT(fisheye(120).stretch({3, 240}), 1.5);
-}
-
 TEST(Lens, NonsenseIsRefused) {
   Camera camera = fisheye(120);
   camera.p1 = 0.1;

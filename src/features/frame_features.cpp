@@ -10,12 +10,7 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
   return std::isfinite(z) && z > 0 ? z : 0;
 }
 
-namespace {
-
-constexpr float kMaxStep = 0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
-
-/// surface_depth_at with a step of its own.
-float depth_on_surface(const cv::Mat& depth, double units_per_metre, int x, int y, float max_step) {
+float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y, float max_step) {
   constexpr int kRadius = 3;
   const float z = depth_at(depth, units_per_metre, x, y);
   if (z <= 0) return 0;
@@ -31,19 +26,14 @@ float depth_on_surface(const cv::Mat& depth, double units_per_metre, int x, int 
   return furthest - nearest <= max_step * z ? z : 0;
 }
 
+namespace {
+
 /// In a wide or small image a pixel spans a larger angle, and a slanted surface falls off faster.
 float max_step_of(const Camera& camera) {
+  constexpr float kMaxStep = 0.03F;  // of the depth, over the window: a surface seen at 60 degrees has less
   constexpr double kStepTimesFocal = 12;  // [px], of a surface seen at 60 degrees over the window
   return std::max(kMaxStep, static_cast<float>(kStepTimesFocal / std::min(camera.fx, camera.fy)));
 }
-
-}  // namespace
-
-float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y) {
-  return depth_on_surface(depth, units_per_metre, x, y, kMaxStep);
-}
-
-namespace {
 
 float median_of_positive(std::vector<float> values, float otherwise) {
   std::erase_if(values, [](float value) { return value <= 0; });
@@ -81,7 +71,7 @@ FrameFeatures::FrameFeatures(const Camera& camera, Features features, const cv::
   const float max_step = max_step_of(camera);
   for (const Keypoint& keypoint : keypoints_) {
     pixels_.push_back(camera.undistort({keypoint.x, keypoint.y}).cast<float>());
-    depths_.push_back(depth_on_surface(depth, camera.depth_units_per_metre,
+    depths_.push_back(surface_depth_at(depth, camera.depth_units_per_metre,
                                        static_cast<int>(std::lround(keypoint.x)),
                                        static_cast<int>(std::lround(keypoint.y)), max_step));
   }

@@ -121,6 +121,7 @@ float depth_at(const cv::Mat& depth, double units_per_metre, int x, int y);
 /// The same where the pixels around lie on one surface; 0 at the edges of things. There the depth image,
 /// taken some milliseconds before or after the colour image and a pixel or more beside it, cannot tell which
 /// of the two surfaces the corner belongs to.
-float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y);
+/// @param max_step  of the depth over those pixels, as a share of it
+float surface_depth_at(const cv::Mat& depth, double units_per_metre, int x, int y, float max_step);
 
 }  // namespace stdc

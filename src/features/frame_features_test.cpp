@@ -60,6 +60,35 @@ TEST(FrameFeatures, ReadsDepthOfBothKindsAndMarksTheMissing) {
   EXPECT_EQ(depth_at({}, 5000, 3, 3), 0);
 }
 
+TEST(FrameFeatures, ASlantedSurfaceIsASurfaceInAWideImageToo) {
+  Camera camera;
+  camera.fx = camera.fy = 100;
+  // A floor 1.4 m below, at 30 degrees to the rays in the middle of its part of the image.
+  cv::Mat floor(480, 640, CV_32FC1, cv::Scalar(0));
+  for (int y = 260; y < 480; ++y) floor.row(y) = 1.4 * camera.fy / (y - camera.cy);
+  cv::Mat step = floor.clone();
+  step.colRange(320, 640) *= 1.2;  // what stands before something else is none
+  Features features;
+  features.keypoints.resize(1);
+  features.keypoints[0].x = 318, features.keypoints[0].y = 350;
+  features.descriptors.resize(1);
+  EXPECT_GT(FrameFeatures(camera, features, floor, 1.2, 1, nullptr).depth(0), 0);
+  EXPECT_EQ(FrameFeatures(camera, features, step, 1.2, 1, nullptr).depth(0), 0);
+  camera.fx = camera.fy = 525;
+  EXPECT_EQ(FrameFeatures(camera, features, floor, 1.2, 1, nullptr).depth(0), 0);
+}
+
+TEST(FrameFeatures, DropsWhatAFisheyeSeesBesideTheCamera) {
+  Camera camera;
+  camera.lens = LensModel::equidistant;
+  camera.fx = camera.fy = 200;  // the corners are 115 degrees off the axis
+  Features features = random_features(800, 1);
+  const FrameFeatures frame(camera, features, {}, 1.2, 6, nullptr);
+  EXPECT_LT(frame.size(), 800);
+  EXPECT_GT(frame.size(), 500);
+  for (int i = 0; i < frame.size(); ++i) EXPECT_TRUE(frame.pixel(i).allFinite());
+}
+
 TEST(FrameFeatures, EmptyFrameIsFine) {
   const FrameFeatures frame(Camera(), {}, {}, 1.2, 6, nullptr);
   EXPECT_EQ(frame.size(), 0);
