@@ -67,7 +67,7 @@ const std::vector<cv::Mat>& images() {
 /// The frames in turn.
 class Frames {
  public:
-  Frames() { images(); }  // loads them before the watch starts
+  Frames() { images(); }  // loads them before the timer starts
   const cv::Mat& next() { return images()[next_++ % images().size()]; }
 
  private:
@@ -141,7 +141,7 @@ BENCHMARK(pyramid)->Unit(benchmark::kMillisecond);
 void fast(benchmark::State& state) {
   std::vector<Corner> corners;
   std::size_t frame = 0, found = 0;
-  prepared();  // before the watch starts
+  prepared();  // before the timer starts
   for (auto _ : state) {
     const Prepared& p = prepared()[frame++ % prepared().size()];
     for (int i = 0; i < p.pyramid.levels(); ++i) {
@@ -157,7 +157,7 @@ BENCHMARK(fast)->Arg(7)->Arg(20)->Unit(benchmark::kMillisecond);
 void blur(benchmark::State& state) {
   PaddedImage smoothed;
   std::size_t frame = 0;
-  prepared();  // before the watch starts
+  prepared();  // before the timer starts
   for (auto _ : state) {
     const Prepared& p = prepared()[frame++ % prepared().size()];
     for (int i = 0; i < p.pyramid.levels(); ++i) gaussian_blur(p.pyramid.level(i).view(), smoothed);
@@ -170,7 +170,7 @@ void choose_and_distribute(benchmark::State& state, Selection selection) {
   CandidateChooser chooser;
   Quadtree tree;
   std::size_t frame = 0;
-  prepared();  // before the watch starts
+  prepared();  // before the timer starts
   for (auto _ : state) {
     const Prepared& p = prepared()[frame++ % prepared().size()];
     const std::vector<int> budgets = level_budgets(settings, p.pyramid.sizes());

@@ -1,4 +1,4 @@
-// Closing a loop over hundreds of keyframes, and the full bundle adjustment after it, on a simulated round.
+// Closing a loop over hundreds of keyframes, and the full bundle adjustment after it, on a simulated circle.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -13,7 +13,7 @@
 namespace stdc {
 
 /// Tracks and maps footage in one thread, as Pipeline does with mapping_latency 0, but step by step, so that
-/// a benchmark can put its watch around any of the steps. Begins anew, with an empty map, where the footage
+/// a benchmark can time any of the steps. Begins anew, with an empty map, where the footage
 /// ends or tracking is lost.
 class Replay {
  public:

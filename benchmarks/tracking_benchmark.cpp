@@ -106,7 +106,7 @@ std::vector<Moment> take_moments() {
 /// The moments in turn.
 class Moments {
  public:
-  Moments() { all(); }  // before the watch starts
+  Moments() { all(); }  // before the timer starts
   const Moment& next() { return all()[next_++ % all().size()]; }
 
  private:

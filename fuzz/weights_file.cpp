@@ -5,10 +5,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "core/error.hpp"
 #include "segmentation/network/test_random_weights.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 namespace {
 

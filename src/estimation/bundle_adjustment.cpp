@@ -65,7 +65,7 @@ class BundleSolver {
     return kernels_.linearise_bundle(packed_.packets.data(), packed_.packets.size(), state.views.data(),
                                      state.points.data(), camera_, terms_.data());
   }
-  /// Robust cost of all observations; tells anew which of them take part.
+  /// Robust cost of all observations; selects again which of them take part.
   double classify(const kernels::Gate& gate) {
     return kernels_.classify_bundle(packed_.packets.data(), packed_.packets.size(), state_.views.data(),
                                     state_.points.data(), camera_, gate);

@@ -38,7 +38,7 @@ struct BundleResult {
 /// what is set aside in the second stage are those of `optimise_pose`. If no pose is fixed, the first is
 /// taken as fixed. Observations that are not finite or whose point is not are left out, as outliers. The
 /// reduced camera system is solved as a block-sparse matrix, ordered by approximate minimum degree where that
-/// helps, so hundreds of keyframes are no problem. Single-threaded.
+/// helps, so it scales to hundreds of keyframes. Single-threaded.
 BundleResult bundle_adjust(const Camera& camera, BundleProblem& problem, const NoiseSettings& noise,
                            const BundleSettings& settings);
 

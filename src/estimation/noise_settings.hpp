@@ -12,7 +12,7 @@ namespace stdc {
 /// by reading beside the true spot of a slanted surface (pixel_sigma * scale * tan(slant) / (f z): 0.0015 /m
 /// at 2 px, 45 degrees, 2.5 m), is small against the default. In simulations with slants up to 63 degrees,
 /// sigmas grown with the scale gave poses that were 2 to 4 % worse at sigmas twice the sensor's, and at best
-/// 5 % better for a sensor of 0.0015 /m taken at its word.
+/// 5 % better for a sensor of 0.0015 /m with exactly that noise.
 struct NoiseSettings {
   STDC_SETTING(double, pixel_sigma, 0.8, "px", 0.01, 20,
                "Noise of a keypoint on pyramid level 0; grows with the level's scale");

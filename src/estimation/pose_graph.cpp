@@ -179,7 +179,7 @@ class PoseGraphSolver {
       double* block = blocks_[pattern_.starts()[s]].value;
       for (std::size_t r = 0; r < 6; ++r) {
         const double diagonal = block[9 * r];
-        damped[s].value[r] = diagonal > 0 ? damping * diagonal : 1.0;  // of which nothing is known, stays
+        damped[s].value[r] = diagonal > 0 ? damping * diagonal : 1.0;  // unobserved: stays
         block[9 * r] += damped[s].value[r];
         step_[s].value[r] = -gradient_[s].value[r];
       }

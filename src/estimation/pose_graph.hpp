@@ -8,7 +8,7 @@
 
 namespace stdc {
 
-/// What is known of where one node is, seen from another: exp(error) * a_from_b is the truth, with a normally
+/// The measured pose of one node relative to another: exp(error) * a_from_b is the truth, with a normally
 /// distributed error.
 struct PoseGraphEdge {
   std::int32_t a = 0, b = 0;  ///< nodes, indices into the graph's list
@@ -19,7 +19,7 @@ struct PoseGraphEdge {
   bool robust = false;  ///< Huber kernel: an edge that may be wrong
 };
 
-/// Poses and what is known of them relative to each other; solved in place.
+/// Poses and the measured poses between them; solved in place.
 struct PoseGraph {
   std::vector<Pose> node_from_world;  ///< cam_from_world, for keyframes
   std::vector<std::uint8_t> fixed;    ///< same length; if none is 1, the first node is taken as fixed
@@ -50,8 +50,8 @@ struct PoseGraphResult {
 /// 'ORB-SLAM', T-RO 2015, sec. VII; with RGB-D the scale is known, so SE(3) is enough). The normal equations
 /// are solved as a block-sparse matrix in the order of approximate minimum degree, with the kernels of the
 /// bundle adjustment: 500 nodes with 5,000 edges take some tens of milliseconds. Edges between fixed nodes,
-/// from a node to itself or that are not finite say nothing. Nodes that no chain of edges ties to a fixed one
-/// stay together as they are. Never throws; same input, same bytes. Single-threaded.
+/// from a node to itself or that are not finite are ignored. Nodes that no chain of edges connects to a fixed
+/// one stay together as they are. Never throws; same input, same bytes. Single-threaded.
 PoseGraphResult optimise_pose_graph(PoseGraph& graph, const PoseGraphSettings& settings = {});
 
 }  // namespace stdc

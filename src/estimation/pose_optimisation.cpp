@@ -78,7 +78,7 @@ class PoseSolver {
         prior_(prior),
         prior_from_world_(prior.cam_from_world.inverse()) {}
 
-  /// With a gate, tells anew which observations take part.
+  /// With a gate, selects again which observations take part.
   Linearisation linearise(const Pose& pose, const kernels::Gate* gate) {
     kernels::PinholeView view{};
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(view.rotation) = pose.rotation_matrix();

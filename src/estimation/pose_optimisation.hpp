@@ -56,7 +56,7 @@ struct PoseOptimisationResult {
 /// Levenberg-Marquardt on SE(3), Huber kernel, several rounds with outliers set aside and taken back
 /// (scheme: Mur-Artal and Tardos, 'ORB-SLAM2', T-RO 2017, sec. III). Never throws; same input, same bytes.
 ///
-/// `prior` is one more term of the cost, without a kernel; left out it says nothing.
+/// `prior` is one more term of the cost, without a kernel; by default it adds nothing.
 /// Residuals: (projection - pixel) / (pixel_sigma * scale), and where a depth is measured
 /// (1 / z - 1 / depth) / inverse_depth_sigma. Pixel and depth have a kernel each, bent at their 95 %
 /// quantiles (5.991 and 3.841), and are set aside each for itself beyond them, so that a keypoint on a depth

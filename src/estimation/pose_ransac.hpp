@@ -10,9 +10,9 @@
 
 namespace stdc {
 
-/// Settings of the search for a pose of which nothing is known.
+/// Settings of the search for a pose without a prior.
 struct PoseRansacSettings {
-  int trials = 300;           ///< most of them
+  int trials = 300;           ///< at most
   double gate = 6;            ///< [px] on level 0: an alignment of three noisy depths is rough
   double confidence = 0.999;  ///< of having drawn three good ones, before it ends early
   int min_inliers = 15;

@@ -25,7 +25,7 @@ struct StoredFeatures {
   int levels = 1;
 };
 
-/// What a frame has seen: its features in ideal (undistorted) pixels, with their depths, and an index by
+/// What a frame observed: its features in ideal (undistorted) pixels, with their depths, and an index by
 /// position. Immutable once built, so that a keyframe can share it with the frame it was made of.
 class FrameFeatures {
  public:
@@ -63,7 +63,7 @@ class FrameFeatures {
   int count(KeypointQuality quality) const;
   /// The keypoint's surroundings on its level, or null.
   const Patch* patch(int i) const { return patches_.empty() ? nullptr : &patches_[i]; }
-  /// The level on which something seen at this scale appears most like itself.
+  /// The level on which something seen at this scale looks most similar.
   int nearest_level(float scale) const;
 
   /// Calls visit(i) for the keypoints within `radius` [px] of an ideal pixel along each axis (a square

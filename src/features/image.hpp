@@ -6,7 +6,7 @@
 
 namespace stdc {
 
-/// A grey image that somebody else owns. Row y starts at `data + y * stride`.
+/// A view of a grey image that it does not own. Row y starts at `data + y * stride`.
 struct ImageView {
   const std::uint8_t* data = nullptr;
   int width = 0, height = 0;  ///< [px]

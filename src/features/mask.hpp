@@ -6,13 +6,13 @@
 
 namespace stdc {
 
-/// Answers whether there is a dynamic pixel near a place, for many places and few radii.
+/// Tells whether a dynamic pixel is near a point; fast for many points and few radii.
 class DynamicArea {
  public:
   /// `mask`: CV_8UC1, not zero = dynamic; empty: nothing is dynamic.
   void set(const cv::Mat& mask);
   bool empty() const { return empty_; }
-  /// From now on near() looks this far [px], at least 0. Cheapest in the order of rising radii.
+  /// Sets the radius of near() [px], at least 0. Cheapest with ascending radii.
   void spread(int radius);
   /// Is any pixel with |dx| <= radius and |dy| <= radius of (x, y) dynamic? Places outside the image are not
   /// near anything.

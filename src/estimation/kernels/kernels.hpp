@@ -59,7 +59,7 @@ struct alignas(32) BundlePoint {
 
 /// What four observations add to the normal equations of their points: the upper triangle of V = J^T W J row
 /// by row, and J^T W r, with J with respect to the point in the world; and the point minus the camera's
-/// centre. The blocks of the cameras follow from these: a camera turned by phi and moved by -rho about its
+/// centre. The blocks of the cameras follow from these: a camera rotated by phi and moved by -rho about its
 /// own centre sees the point as if that had moved by rho + phi x offset, so with G = [I; [offset]_x] its
 /// Hessian is G V G^T, its mixed block with the point G V, its gradient G J^T W r.
 struct alignas(32) BundleTerm {
@@ -124,14 +124,14 @@ struct Gate {
 };
 
 struct Table {
-  /// Linearises the observations that take part at `view`. With a `gate` first tells anew which ones those
+  /// Linearises the observations that take part at `view`. With a `gate` first selects which ones those
   /// are: the pixel within it and in front of the camera; the depth where it lies within it as well.
   void (*linearise_pose)(PosePacket* packets, std::size_t count, const PinholeView& view, const Gate* gate,
                          PoseSystem* system);
   /// Linearises all observations of a bundle adjustment. Returns half of the sum of the robust costs.
   double (*linearise_bundle)(const BundlePacket* packets, std::size_t count, const BundleView* views,
                              const BundlePoint* points, const Intrinsics& camera, BundleTerm* terms);
-  /// Tells anew which observations take part (as in linearise_pose). Returns half of the sum of the robust
+  /// Selects again which observations take part (as in linearise_pose). Returns half of the sum of the robust
   /// costs of all of them.
   double (*classify_bundle)(BundlePacket* packets, std::size_t count, const BundleView* views,
                             const BundlePoint* points, const Intrinsics& camera, const Gate& gate);

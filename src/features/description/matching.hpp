@@ -16,7 +16,7 @@ struct BestMatch {
   int second = 257;    ///< distance of the second best
   int second_level = -1;
 
-  /// Sure enough: near, and clearly nearer than a rival on the same pyramid level.
+  /// Reliable: near, and clearly nearer than a rival on the same pyramid level.
   bool accepted(int max_distance, double max_ratio) const {
     if (index < 0 || distance > max_distance) return false;
     return level != second_level || distance <= max_ratio * second;
@@ -47,7 +47,7 @@ std::vector<KeypointPair> match_all(const FrameFeatures& a, std::span<const std:
 
 /// Keeps the pairs whose keypoints rotated by about the same angle: those in the three fullest of 30 bins of
 /// the angle differences (Mur-Artal et al., 'ORB-SLAM', T-RO 2015).
-/// @param turns  angle of the first minus angle of the second keypoint, per pair [rad]
+/// @param rotations  angle of the first minus angle of the second keypoint, per pair [rad]
 /// @returns per pair 1 keep, 0 drop
 std::vector<std::uint8_t> consistent_rotations(std::span<const float> rotations);
 

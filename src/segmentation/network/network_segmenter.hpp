@@ -1,6 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "segmentation/network/kernels/class_map.hpp"
 #include "segmentation/network/network_settings.hpp"

@@ -76,7 +76,7 @@ void MaskPropagator::advance(const SmallFrame& from, Step& to) {
   });
 }
 
-/// Moves a tile one frame on.
+/// Moves a tile to the next frame.
 void MaskPropagator::carry(MaskTile& tile, const Step& to) const {
   constexpr float kSameSurface = 0.2F;  // [m]
   MotionField::Motion motion;

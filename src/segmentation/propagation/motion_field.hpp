@@ -8,8 +8,8 @@
 
 namespace stdc {
 
-/// How things moved from one frame to the next, known at points that were followed. It grows where tiles ask
-/// for it, and serves all masks that pass between the two frames.
+/// Motion between two consecutive frames, measured at tracked points. A point is tracked when a tile needs
+/// it, and serves all masks that are moved between the two frames.
 class MotionField {
  public:
   /// Forgets everything; for frames of width x height cells.

@@ -46,10 +46,10 @@ void weigh(const SmallFrame& frame, cv::Point at, int level, Patch& weights) {
   }
 }
 
-/// A patch of one level, ready to be looked for.
+/// A patch of one level, prepared for the search.
 class PatchSearch {
  public:
-  /// False if there is too little to hold on to in some direction.
+  /// False if it has too little texture in some direction.
   bool make(const SmallImage& image, cv::Point at, const Patch& weights) {
     for (int row = 0; row < kSide; ++row) {
       const std::uint8_t* from = image.row(at.y + row - kHalf) + at.x - kHalf;
@@ -92,7 +92,7 @@ class PatchSearch {
   }
 
   /// Moves `flow` [px of the level] to where `image` looks like the patch at `at`, in steps until they are
-  /// small. False if it wanders away.
+  /// small. False if it diverges.
   bool find(const SmallImage& image, cv::Point at, float reach, float small_step, Vector2f& flow) {
     constexpr int kMaxSteps = 6;
     Vector2f now = flow;
@@ -171,7 +171,7 @@ bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Ve
   Patch weights;
   PatchSearch search;
   Vector2f now = flow;
-  // What moved before is nearly known: the coarsest level is for the first time.
+  // With a guess the coarsest level is not needed.
   const int coarsest = flow.isZero() ? SmallFrame::kLevels - 1 : SmallFrame::kLevels - 2;
   for (int level = coarsest; level >= 0; --level) {
     const auto size = static_cast<float>(1 << level);

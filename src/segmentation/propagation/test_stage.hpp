@@ -9,7 +9,7 @@ namespace stdc::test {
 
 inline constexpr double kUnits = 5000, kBodyDepth = 1.6, kWallDepth = 3;
 
-/// Blobs of many sizes, as grey as a real picture.
+/// Blobs of many sizes with the grey levels of a real picture.
 cv::Mat texture(cv::Size size, std::uint64_t seed);
 
 /// A picture, its depths (kUnits to the metre) and where the body is (255).

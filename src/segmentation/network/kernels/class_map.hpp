@@ -7,7 +7,7 @@
 
 namespace stdc {
 
-/// Makes masks straight from the small logits. By definition: each class's logits are upsampled bilinearly to
+/// Makes masks directly from the small logits. By definition: each class's logits are upsampled bilinearly to
 /// the mask's size (half-pixel centres, the border repeated), and a pixel is dynamic if its greatest class
 /// is. Here no class is ever upsampled as a whole: between two neighbouring logits of a row all classes are
 /// linear, so if the same class wins at both, it wins in between, and only pixels where a border passes are

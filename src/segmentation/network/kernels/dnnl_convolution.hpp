@@ -21,7 +21,7 @@ class DnnlEngine {
   /// VNNI, if ONEDNN_MAX_CPU_ISA allows it). Elsewhere pairs of products are summed in 16 bits with
   /// saturation (VPMADDUBSW), and 127 keeps clear of that: 2 * 127 * 127 < 2^15.
   static int activation_levels();
-  /// Channels per block of the layout that oneDNN likes best for fp32: 16 with AVX-512, else 8.
+  /// Channels per block of the layout that oneDNN prefers for fp32: 16 with AVX-512, else 8.
   static int preferred_block();
   /// oneDNN's version and instruction set, e.g. "oneDNN 2.6.3, AVX2".
   static std::string description();

@@ -9,8 +9,8 @@
 
 namespace stdc {
 
-// What differs between versions 2.6 and 3 of oneDNN, and how its layouts are ours; for dnnl_convolution.cpp
-// only.
+// What differs between versions 2.6 and 3 of oneDNN, and how its layouts map to ours; for
+// dnnl_convolution.cpp only.
 
 /// What oneDNN needs to know of a convolution to choose a kernel.
 struct DnnlRequest {

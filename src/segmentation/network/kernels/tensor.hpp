@@ -7,7 +7,7 @@
 
 namespace stdc {
 
-/// What the numbers of a tensor are.
+/// Element type of a tensor.
 enum class ElementType : std::uint8_t { f32, u8 };
 
 inline std::size_t element_size(ElementType type) { return type == ElementType::f32 ? 4 : 1; }
