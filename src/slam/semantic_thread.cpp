@@ -96,7 +96,8 @@ void SemanticThread::complete_mask() {
   result_.propagation_ms += watch.lap_ms();
   const bool has_depth = !image_.depth.empty();
   // A rim of background claims the background around it.
-  if (settings_.border_trimming && has_depth) mask = settle_by_depth(mask, image_.depth, depth_units_per_metre_);
+  if (settings_.border_trimming && has_depth)
+    mask = settle_by_depth(mask, image_.depth, depth_units_per_metre_);
   if (settings_.refinement && has_depth) {
     mask = refine(mask, image_.depth, depth_units_per_metre_, refinement_);
   }
