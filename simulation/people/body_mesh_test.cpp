@@ -8,25 +8,30 @@
 namespace stdc::simulation {
 namespace {
 
+struct Body {
+  explicit Body(int number)
+      : appearance(random_appearance(number, 1)), skeleton(appearance.measures), mesh(skeleton, appearance) {}
+
+  PersonAppearance appearance;
+  Skeleton skeleton;
+  BodyMesh mesh;
+};
+
 class BodyMeshTest : public testing::TestWithParam<int> {
  protected:
-  BodyMeshTest()
-      : appearance_(random_appearance(GetParam(), 1)),
-        skeleton_(appearance_.measures),
-        mesh_(skeleton_, appearance_) {}
-
-  Mesh at_rest() const {
-    BodyPose pose;
-    for (int i = 0; i < kBones; ++i)
-      pose.bones[i] = Pose(Eigen::Quaterniond::Identity(), skeleton_.joint(static_cast<Bone>(i)));
-    Mesh mesh;
-    mesh_.append(pose, mesh);
-    return mesh;
+  static const Body& body() {
+    static const Body bodies[] = {Body(0), Body(1)};  // half a second each
+    return bodies[GetParam()];
   }
 
-  PersonAppearance appearance_;
-  Skeleton skeleton_;
-  BodyMesh mesh_;
+  static Mesh at_rest() {
+    BodyPose pose;
+    for (int i = 0; i < kBones; ++i)
+      pose.bones[i] = Pose(Eigen::Quaterniond::Identity(), body().skeleton.joint(static_cast<Bone>(i)));
+    Mesh mesh;
+    body().mesh.append(pose, mesh);
+    return mesh;
+  }
 };
 
 TEST_P(BodyMeshTest, IsClosedAndFacesOutward) {
@@ -40,10 +45,10 @@ TEST_P(BodyMeshTest, IsClosedAndFacesOutward) {
 
 TEST_P(BodyMeshTest, AtRestItIsWhereItWasMade) {
   const Mesh mesh = at_rest();
-  ASSERT_EQ(mesh.positions.size(), mesh_.vertices().size());
+  ASSERT_EQ(mesh.positions.size(), body().mesh.vertices().size());
   Eigen::AlignedBox3f bounds;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const BodyMesh::Vertex& vertex = mesh_.vertices()[i];
+    const BodyMesh::Vertex& vertex = body().mesh.vertices()[i];
     EXPECT_LT((mesh.positions[i] - vertex.position).norm(), 2e-3);  // small weights are left out
     EXPECT_NEAR(vertex.weights[0] + vertex.weights[1] + vertex.weights[2], 1, 1e-5);
     EXPECT_GE(vertex.sky_visibility, 0);
@@ -51,7 +56,7 @@ TEST_P(BodyMeshTest, AtRestItIsWhereItWasMade) {
     bounds.extend(mesh.positions[i]);
   }
   EXPECT_NEAR(bounds.min().z(), 0, 0.03);
-  EXPECT_NEAR(bounds.max().z(), appearance_.measures.height, 0.06);
+  EXPECT_NEAR(bounds.max().z(), body().appearance.measures.height, 0.06);
 }
 
 INSTANTIATE_TEST_SUITE_P(People, BodyMeshTest, testing::Values(0, 1),
