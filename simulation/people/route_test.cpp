@@ -82,7 +82,8 @@ TEST_P(WalkPlannerTest, WalkersKeepApartAndALongerPlanBeginsWithTheShorter) {
   EXPECT_GT(walked, 40);  // [m] in two minutes, both together
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, WalkPlannerTest, testing::Range(1, 6));
+INSTANTIATE_TEST_SUITE_P(Seeds, WalkPlannerTest, testing::Range(1, 6),
+                         [](const auto& info) { return "seed" + std::to_string(info.param); });
 
 TEST(Director, TheBoxIsCarriedSetDownAndPickedUp) {
   const BoxScript play = plan_box_carrier(60, 1);

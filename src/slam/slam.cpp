@@ -4,6 +4,7 @@
 
 #include "atlas/map_bundle.hpp"
 #include "atlas/map_file.hpp"
+#include "core/error.hpp"
 #include "slam/pipeline.hpp"
 
 namespace stdc {
@@ -38,6 +39,9 @@ std::vector<LoopReport> Slam::finish() { return implementation_->pipeline.finish
 void Slam::load_map(const std::filesystem::path& path) { implementation_->pipeline.load_map(path); }
 void Slam::save_map(const std::filesystem::path& path) {
   implementation_->pipeline.finish();
+  if (implementation_->pipeline.atlas().keyframe_count() == 0) {
+    throw Error(path.string(), "is not written, the map is empty", "check that frames got a pose");
+  }
   stdc::save_map(path, implementation_->pipeline.camera(), implementation_->pipeline.atlas());
 }
 
