@@ -68,7 +68,7 @@ std::vector<Frame> load(const std::filesystem::path& folder, Camera& camera) {
   const TumSequence sequence(folder);
   camera = find_camera(sequence, {});
   MaskFileSegmenter masks(folder / "mask");
-  const Trajectory poses = sequence.ground_truth();
+  const Trajectory poses = sequence.ground_truth().poses;
   std::vector<Frame> frames;
   for (const SequenceFrame& listed : sequence.frames()) {
     Frame& frame = frames.emplace_back();

@@ -167,9 +167,12 @@ TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& est
   scores.truth_from_estimate = align(pairs);
   scores.ate = absolute_error(pairs, scores.truth_from_estimate);
   relative_error(pairs, frame_steps(pairs), scores.rpe_frame_translation, scores.rpe_frame_rotation);
-  relative_error(pairs, second_steps(pairs), scores.rpe_second_translation, scores.rpe_second_rotation);
-  for (const ErrorStatistics& errors :
-       {scores.ate, scores.rpe_frame_translation, scores.rpe_second_translation}) {
+  if (const auto steps = second_steps(pairs); !steps.empty()) {
+    relative_error(pairs, steps, scores.rpe_second_translation.emplace(),
+                   scores.rpe_second_rotation.emplace());
+  }
+  for (const ErrorStatistics& errors : {scores.ate, scores.rpe_frame_translation,
+                                        scores.rpe_second_translation.value_or(ErrorStatistics())}) {
     if (!std::isfinite(errors.rmse)) refuse_numbers();
   }
   scores.coverage =

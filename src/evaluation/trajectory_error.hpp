@@ -12,12 +12,13 @@ struct ErrorStatistics {
 
 /// Errors of an estimated trajectory against the truth.
 struct TrajectoryScores {
-  int pairs = 0;                           ///< poses of the estimate that found a true one
-  ErrorStatistics ate;                     ///< absolute trajectory error after SE(3) alignment [m]
-  ErrorStatistics rpe_frame_translation;   ///< relative error from pair to next pair [m]
-  ErrorStatistics rpe_frame_rotation;      ///< the same [deg]
-  ErrorStatistics rpe_second_translation;  ///< relative error over one second [m]
-  ErrorStatistics rpe_second_rotation;     ///< the same [deg]
+  int pairs = 0;                          ///< poses of the estimate that found a true one
+  ErrorStatistics ate;                    ///< absolute trajectory error after SE(3) alignment [m]
+  ErrorStatistics rpe_frame_translation;  ///< relative error from pair to next pair [m]
+  ErrorStatistics rpe_frame_rotation;     ///< the same [deg]
+  /// Relative error over one second [m]; nothing where no two pairs lie a second apart.
+  std::optional<ErrorStatistics> rpe_second_translation;
+  std::optional<ErrorStatistics> rpe_second_rotation;  ///< the same [deg]
   double coverage = 0;       ///< share of the truth's time span (or of `frames`) that has a pose, 0..1
   Pose truth_from_estimate;  ///< the alignment
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "atlas/map_file.hpp"
+#include "core/error.hpp"
 #include "slam/pipeline.hpp"
 
 namespace stdc {
@@ -31,6 +32,10 @@ std::vector<LoopReport> Slam::finish() { return pipeline_->finish(); }
 void Slam::load_map(const std::filesystem::path& path) { pipeline_->load_map(path); }
 void Slam::save_map(const std::filesystem::path& path) {
   pipeline_->finish();
+  if (pipeline_->snapshot().keyframe_count() == 0) {
+    throw Error(path.string(), "the map is empty, so it was not written",
+                "give frames that show enough with depth; a file that was there is left as it is");
+  }
   stdc::save_map(path, pipeline_->camera(), pipeline_->atlas());
 }
 

@@ -87,7 +87,8 @@ TEST_P(Shutter, MatchesOfTheLocalMapAreTheTrueOnes) {
   EXPECT_TRUE(std::is_sorted(visible.begin(), visible.end()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Matching, Shutter, ::testing::Values(0.0, 0.03));
+INSTANTIATE_TEST_SUITE_P(Matching, Shutter, ::testing::Values(0.0, 0.03),
+                         [](const auto& info) { return info.param > 0 ? "rolling" : "global"; });
 
 TEST(FrameMatching, IgnoringARollingShutterLosesMatches) {
   const Between scene(0.03);

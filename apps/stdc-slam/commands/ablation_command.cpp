@@ -122,7 +122,7 @@ void add_ablation_command(CLI::App& app) {
   command->add_option("SEQUENCES", options->sequences, "Folders in TUM RGB-D layout, with ground truth")
       ->required();
   command->add_option("--output,-o", options->output, "Folder for ablation.md and ablation.json");
-  command->add_option("--camera", options->camera, "Camera file, for sequences that have none");
+  command->add_option("--camera", options->camera, "Camera file; goes before those of the sequences");
   command->add_option("--frames", options->frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
   command
       ->add_option(

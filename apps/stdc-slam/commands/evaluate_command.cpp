@@ -7,6 +7,7 @@
 
 #include "commands/commands.hpp"
 #include "core/error.hpp"
+#include "input/ground_truth.hpp"
 #include "report/score_report.hpp"
 
 namespace stdc::app {
@@ -18,13 +19,25 @@ struct Options {
   bool json = false;
 };
 
+/// The poses of a file; says on stderr which rows have none.
+Trajectory read_poses(const std::string& path) {
+  const GroundTruth file = read_ground_truth(path);
+  const std::string note = file.note();
+  if (file.poses.empty()) {
+    throw Error(path, note.empty() ? "has no poses" : "has no poses: " + note,
+                "write each line as: timestamp tx ty tz qx qy qz qw");
+  }
+  if (!note.empty()) fmt::print(stderr, "stdc-slam: {}: {}\n", path, note);
+  return file.poses;
+}
+
 void evaluate(const Options& options) {
   if (!(options.max_difference > 0 && options.max_difference <= 10)) {
     throw Error("--max-difference", fmt::format("{} is outside 0..10", options.max_difference),
                 "give the largest time difference of a pair in seconds");
   }
-  const Trajectory truth = read_trajectory(options.truth);
-  const Trajectory estimate = read_trajectory(options.estimate);
+  const Trajectory truth = read_poses(options.truth);
+  const Trajectory estimate = read_poses(options.estimate);
   TrajectoryScores scores;
   try {
     scores = score_trajectory(truth, estimate, options.max_difference);

@@ -183,7 +183,7 @@ void add_features_command(CLI::App& app) {
       ->delimiter(',');
   command->add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
       ->capture_default_str();
-  command->add_option("--camera", options->camera, "Camera file, if the folder has none");
+  command->add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
   command->add_option("--debug-images", options->debug_images,
                       "Folder for pictures of the keypoints and quadtree cells of each frame");
   CLI::Option* markdown = command->add_flag("--markdown", options->markdown, "Print a Markdown table");

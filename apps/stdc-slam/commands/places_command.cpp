@@ -180,7 +180,7 @@ void add_places_command(CLI::App& app) {
                    "Share of the view that must have been seen before for there to be a place to find")
       ->check(CLI::Range(PlaceRecognitionTest::kRight, 1.0))
       ->capture_default_str();
-  command->add_option("--camera", options->camera, "Camera file, if the folder has none");
+  command->add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
   command->add_option("--output", options->output, "Folder for places.csv and places.png (the curve)");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--quiet", options->quiet, "No progress");

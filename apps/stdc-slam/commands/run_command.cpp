@@ -12,8 +12,8 @@ namespace {
 
 constexpr const char* kFooter = R"(
 SEQUENCE is a folder in TUM RGB-D layout: rgb.txt and depth.txt with "timestamp filename" lines, images as PNG
-or JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. The camera is taken from camera.yaml in the folder,
-else from --camera, else from the folder's name where that holds freiburg1, freiburg2 or freiburg3.
+or JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. The camera is taken from --camera, else from camera.yaml in the folder,
+else from the folder's name where that holds freiburg1, freiburg2 or freiburg3.
 
 Written to the output folder, all at the end or nothing:
   trajectory.txt  "timestamp tx ty tz qx qy qz qw" of every frame that has a pose; world = first camera of the
@@ -29,6 +29,8 @@ Written to the output folder, all at the end or nothing:
 A map saved by --save-map holds all maps of the run. --load-map goes on with it: once a mapped place is seen
 again, poses are in its coordinates. With --localisation-only nothing is added to it.
 
+Exit code: 0, 2 for bad input (nothing is written), 3 if no frame got a pose (results are written, no map).
+
 Examples:
   stdc-slam run rgbd_dataset_freiburg1_xyz --output results
   stdc-slam run my-sequence --camera my-camera.yaml --output results --frames 100:400
@@ -43,7 +45,7 @@ Examples:
 void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("SEQUENCE", options.sequence, "Folder in TUM RGB-D layout")->required();
   command.add_option("--output,-o", options.output, "Folder for the results; made if need be")->required();
-  command.add_option("--camera", options.camera, "Camera file, if the sequence has none");
+  command.add_option("--camera", options.camera, "Camera file; goes before the camera of the sequence");
   add_settings_options(command, options.settings);
   add_segmentation_options(command, options.segmentation);
   command.add_option("--load-map", options.load_map, "Map of an earlier run to start from");
@@ -51,10 +53,12 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--localisation-only", options.localisation_only,
                    "Only find the camera in the loaded map, and leave that as it is");
   command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
-  command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
+  CLI::Option* debug_images =
+      command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
   command
       .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(debug_images);
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
@@ -71,7 +75,8 @@ void add_run_command(CLI::App& app) {
     if (options->debug_every < 1) {
       throw Error("--debug-every", fmt::format("{} is less than 1", options->debug_every), "give 1 or more");
     }
-    run_sequence(*options);
+    constexpr int kNothingFound = 3;
+    if (!run_sequence(*options)) throw CLI::RuntimeError(kNothingFound);
   });
 }
 

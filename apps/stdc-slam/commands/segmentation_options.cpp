@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "core/error.hpp"
 #include "slam/make_segmenter.hpp"
 #include "slam/settings_io.hpp"
 
@@ -29,6 +30,21 @@ void apply_segmentation_options(const SegmentationOptions& options, Settings& se
   if (source.empty() && options.weights) source = "network";
   if (!source.empty()) apply_setting("segmentation.source=" + source, settings);
   if (!options.refinement.empty()) apply_setting("segmentation.refinement=" + options.refinement, settings);
+}
+
+void check_segmentation_options(const SegmentationOptions& options, const Settings& settings) {
+  const SegmentationSource source = settings.segmentation.source;
+  if (options.masks && source != SegmentationSource::masks) {
+    throw Error("--masks", "is of no use, masks do not come from files",
+                "add --segmentation masks or leave it out");
+  }
+  if (options.weights && source != SegmentationSource::network) {
+    throw Error("--weights", "is of no use without the network",
+                "add --segmentation network or leave it out");
+  }
+  if (!options.refinement.empty() && source == SegmentationSource::off) {
+    throw Error("--refinement", "is of no use, segmentation is off", "leave one of the two out");
+  }
 }
 
 ColourMode colour_mode(const Settings& settings) {

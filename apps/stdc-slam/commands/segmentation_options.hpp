@@ -25,6 +25,8 @@ struct SegmentationOptions {
 void add_segmentation_options(CLI::App& command, SegmentationOptions& options);
 /// Changes the settings as the options say. Throws Error.
 void apply_segmentation_options(const SegmentationOptions& options, Settings& settings);
+/// Throws Error for options that can have no effect with these settings.
+void check_segmentation_options(const SegmentationOptions& options, const Settings& settings);
 /// Only the network looks at colours; without it, grey is decoded faster.
 ColourMode colour_mode(const Settings& settings);
 /// The segmenter that the settings ask for; null if segmentation is off.

@@ -29,6 +29,7 @@ Settings chosen_settings(const SettingsOptions& options, const SegmentationOptio
   apply_segmentation_options(segmentation, settings);
   for (const std::string& assignment : options.assignments) apply_setting(assignment, settings);
   settings.validate();
+  check_segmentation_options(segmentation, settings);
   return settings;
 }
 

@@ -74,6 +74,14 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
       {"segmentation", record.segmentation()},
   };
   if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
+  if (summary.truth) {
+    json["groundtruth"] = {{"rows", summary.truth->rows},
+                           {"left_out", summary.truth->left_out()},
+                           {"reasons",
+                            {{"without_pose", summary.truth->without_pose},
+                             {"malformed", summary.truth->malformed},
+                             {"repeated", summary.truth->repeated}}}};
+  }
   if (summary.scores) json["scores"] = scores_to_json(*summary.scores);
   if (!summary.not_scored.empty()) json["not_scored"] = summary.not_scored;
   json["camera"] = camera_to_json(summary.camera);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "evaluation/trajectory_error.hpp"
+#include "input/ground_truth.hpp"
 #include "report/run_record.hpp"
 #include "run/process_usage.hpp"
 #include "slam/settings.hpp"
@@ -21,7 +22,8 @@ struct RunSummary {
   int maps = 0, keyframes = 0, landmarks = 0;
   ProcessUsage usage;
   std::optional<TrajectoryScores> scores;
-  std::string not_scored;  ///< why there are no scores though there is a ground truth
+  std::optional<GroundTruth> truth;  ///< for what was left out of it
+  std::string not_scored;            ///< why there are no scores though there is a ground truth
 };
 
 /// summary.json.

@@ -12,7 +12,16 @@ std::string row(const char* name, const ErrorStatistics& errors, double factor, 
                      factor * errors.mean, factor * errors.median, factor * errors.maximum, unit);
 }
 
-nlohmann::ordered_json to_json(const ErrorStatistics& errors) {
+/// A statistic without data has no numbers.
+std::string row(const char* name, const std::optional<ErrorStatistics>& errors, double factor,
+                const char* unit) {
+  if (errors) return row(name, *errors, factor, unit);
+  return fmt::format("{:<28} {:>10} {:>10} {:>10} {:>10}  {}\n", name, "-", "-", "-", "-", unit);
+}
+
+nlohmann::ordered_json to_json(const std::optional<ErrorStatistics>& statistics) {
+  if (!statistics) return {{"rmse", nullptr}, {"mean", nullptr}, {"median", nullptr}, {"max", nullptr}};
+  const ErrorStatistics& errors = *statistics;
   return {{"rmse", errors.rmse}, {"mean", errors.mean}, {"median", errors.median}, {"max", errors.maximum}};
 }
 

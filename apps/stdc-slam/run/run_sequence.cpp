@@ -45,6 +45,8 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
   summary.maps = slam.maps();
   summary.keyframes = slam.keyframes();
   summary.landmarks = slam.landmarks();
+  summary.truth = input.truth_file;
+  if (input.truth_file && !input.truth) summary.not_scored = "the ground truth has no poses";
   if (input.truth) score(*input.truth, trajectories.frames, record.counts().total(), summary);
   summary.usage = process_usage();
   return summary;
@@ -75,6 +77,13 @@ void check_place_for_map(const RunOptions& options) {
   }
 }
 
+void say_nothing_came_of_it(const RunOptions& options, const SequenceInput& input) {
+  fmt::print(stderr, "stdc-slam: {}: not one of {} frames {}; {}{}\n", options.sequence.string(),
+             input.frames.size(), options.localisation_only ? "was located in the map" : "got a pose",
+             options.save_map ? options.save_map->string() + " was not written; " : "",
+             "check images, depth and camera");
+}
+
 void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output) {
   output.write("trajectory.txt", format_trajectory(trajectories.frames));
   output.write("keyframes.txt", format_trajectory(trajectories.keyframes));
@@ -86,7 +95,7 @@ void write_trajectories(const RunTrajectories& trajectories, OutputFolder& outpu
 
 }  // namespace
 
-void run_sequence(const RunOptions& options) {
+bool run_sequence(const RunOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
   Settings settings = chosen_settings(options.settings, options.segmentation);
@@ -120,12 +129,16 @@ void run_sequence(const RunOptions& options) {
   write_trajectories(trajectories, output);
   output.write("frames.csv", record.frames_csv());
   output.write("summary.json", summary_json(summary, record, settings));
-  if (options.save_map) slam.save_map(*options.save_map);
+  const bool found = summary.poses > 0;
+  const bool saves_map = options.save_map && slam.keyframes() > 0;
+  if (saves_map) slam.save_map(*options.save_map);
   output.commit();
-  if (options.quiet) return;
+  if (!found) say_nothing_came_of_it(options, input);
+  if (options.quiet) return found;
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
-  if (options.save_map) fmt::print("map: {}\n", options.save_map->string());
+  if (saves_map) fmt::print("map: {}\n", options.save_map->string());
   if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());
+  return found;
 }
 
 }  // namespace stdc::app

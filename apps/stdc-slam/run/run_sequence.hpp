@@ -24,6 +24,7 @@ struct RunOptions {
 };
 
 /// Runs on a sequence and writes the results. Throws Error for bad input; then nothing is written.
-void run_sequence(const RunOptions& options);
+/// @return whether any frame got a pose; if none did, that is said on stderr and no map is saved
+bool run_sequence(const RunOptions& options);
 
 }  // namespace stdc::app

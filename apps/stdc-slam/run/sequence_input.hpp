@@ -24,7 +24,8 @@ struct SequenceInput {
   TumSequence sequence;
   std::string name;  ///< of the folder
   Camera camera;
-  std::optional<Trajectory> truth;
+  std::optional<Trajectory> truth;        ///< if it has any pose
+  std::optional<GroundTruth> truth_file;  ///< the same as read, with what was left out
   int first_frame = 0;
   std::span<const SequenceFrame> frames;  ///< the chosen ones, of `sequence`
 };

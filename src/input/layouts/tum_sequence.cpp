@@ -46,11 +46,16 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
-/// The folder's own name, also for "." and "folder/".
-std::string name_of(const fs::path& folder) {
+/// The folder's names, also for "." and "folder/": the one that was given, and the one that a link leads to.
+std::vector<std::string> names_of(const fs::path& folder) {
   std::error_code failed;
-  const fs::path whole = fs::canonical(folder, failed);
-  return (failed ? folder : whole).filename().string();
+  std::vector<std::string> names;
+  fs::path given = fs::absolute(folder, failed).lexically_normal();
+  if (!given.has_filename()) given = given.parent_path();
+  names.push_back(given.filename().string());
+  const fs::path resolved = fs::canonical(folder, failed);
+  if (!failed) names.push_back(resolved.filename().string());
+  return names;
 }
 
 }  // namespace
@@ -82,14 +87,15 @@ TumSequence::TumSequence(const fs::path& folder) : folder_(folder) {
 
 bool TumSequence::has_ground_truth() const { return is_there(folder_ / "groundtruth.txt"); }
 
-Trajectory TumSequence::ground_truth() const { return read_trajectory(folder_ / "groundtruth.txt"); }
+GroundTruth TumSequence::ground_truth() const { return read_ground_truth(folder_ / "groundtruth.txt"); }
 
 Camera find_camera(const TumSequence& sequence, const std::optional<fs::path>& camera_file) {
+  if (camera_file) return read_camera(*camera_file);
   const fs::path own = sequence.folder() / "camera.yaml";
   if (is_there(own)) return read_camera(own);
-  if (camera_file) return read_camera(*camera_file);
-  const std::string name = name_of(sequence.folder());
-  if (const std::optional<Camera> camera = tum_calibration(name)) return *camera;
+  for (const std::string& name : names_of(sequence.folder())) {
+    if (const std::optional<Camera> camera = tum_calibration(name)) return *camera;
+  }
   throw Error(sequence.folder().string(), "its camera is not known",
               "put a camera.yaml into the folder or give one with --camera (known without: folders with "
               "freiburg1, freiburg2 or freiburg3 in their name)");

@@ -8,7 +8,7 @@
 #include "core/camera.hpp"
 #include "core/image_codec.hpp"
 #include "core/rgbd_image.hpp"
-#include "input/trajectory.hpp"
+#include "input/ground_truth.hpp"
 
 namespace stdc {
 
@@ -33,8 +33,8 @@ class TumSequence {
   /// Colour images that found no depth image; they are not among the frames.
   int colour_without_depth() const { return colour_without_depth_; }
   bool has_ground_truth() const;
-  /// Throws Error if there is none or it is malformed.
-  Trajectory ground_truth() const;
+  /// Throws Error if there is none.
+  GroundTruth ground_truth() const;
 
  private:
   std::filesystem::path folder_;
@@ -47,8 +47,9 @@ class TumSequence {
 RgbdImage load_frame(const SequenceFrame& frame, const Camera& camera,
                      ColourMode mode = ColourMode::as_stored);
 
-/// The camera of a sequence: camera.yaml in the folder, else `camera_file`, else the TUM freiburg1/2/3
-/// calibration named in the folder's name. Throws Error if none is known or the file is wrong.
+/// The camera of a sequence: `camera_file` if given, else camera.yaml in the folder, else the TUM
+/// freiburg1/2/3 calibration named in the folder's name, as given or as a link resolves it. Throws Error if
+/// none is known or the file is wrong.
 Camera find_camera(const TumSequence& sequence, const std::optional<std::filesystem::path>& camera_file);
 
 }  // namespace stdc

@@ -111,7 +111,7 @@ TEST(LoadFrame, NamesTheImageAtFault) {
   EXPECT_NE(load_message(folder, 4).find("the file is empty"), std::string::npos);
 }
 
-TEST(FindCamera, PrefersTheFolderThenTheFileThenTheName) {
+TEST(FindCamera, PrefersTheFileThenTheFolderThenTheName) {
   const TestFolder folder;
   const std::string name = "rgbd_dataset_freiburg2_x/";
   for (const char* list : {"rgb.txt", "depth.txt"}) folder.write(name + list, std::string("1 a.png\n"));
@@ -123,7 +123,22 @@ TEST(FindCamera, PrefersTheFolderThenTheFileThenTheName) {
   EXPECT_EQ(find_camera(sequence, file).fx, 333);
   camera.fx = 444;
   folder.write(name + "camera.yaml", format_camera(camera));
-  EXPECT_EQ(find_camera(sequence, file).fx, 444);
+  EXPECT_EQ(find_camera(sequence, {}).fx, 444);
+  EXPECT_EQ(find_camera(sequence, file).fx, 333);
+  EXPECT_NE(message_of([&] { find_camera(sequence, folder / "none.yaml"); }).find("none.yaml: cannot be"),
+            std::string::npos);
+}
+
+TEST(FindCamera, TheNameOfALinkCountsAsWellAsThatOfItsTarget) {
+  const TestFolder folder;
+  for (const char* list :
+       {"plain/rgb.txt", "plain/depth.txt", "freiburg1_a/rgb.txt", "freiburg1_a/depth.txt"})
+    folder.write(list, std::string("1 a.png\n"));
+  std::filesystem::create_directory_symlink("plain", folder / "x_freiburg2");
+  std::filesystem::create_directory_symlink("freiburg1_a", folder / "other");
+  for (const char* name : {"x_freiburg2", "x_freiburg2/", "x_freiburg2/.", "plain/../x_freiburg2"})
+    EXPECT_NEAR(find_camera(TumSequence(folder / name), {}).fx, 520.908620, 1e-9) << name;
+  EXPECT_NEAR(find_camera(TumSequence(folder / "other"), {}).fx, 517.306408, 1e-9);
 }
 
 TEST(FindCamera, SaysHowToGiveOne) {
