@@ -6,7 +6,8 @@
 
 #include "atlas/test_scene.hpp"
 #include "loop_closing/full_bundle.hpp"
-#include "loop_closing/loop_closer.hpp"
+#include "loop_closing/loop_correction.hpp"
+#include "place_recognition/place_recogniser.hpp"
 
 namespace stdc {
 namespace {
@@ -72,9 +73,9 @@ struct Round {
     }
     atlas.update_covisibility(id);
   }
-  LoopTools tools() const { return {mapped.scene.camera, {}, {}, {}, {}}; }
+  LoopTools tools() const { return {{mapped.scene.camera, {}}, {}, {}, {}}; }
   VerifiedLoop loop() const {
-    const auto found = verify_loop(mapped.scene.camera, mapped.atlas, current, matched, {}, {}, {});
+    const auto found = verify_loop({{mapped.scene.camera, {}}, {}}, mapped.atlas, current, matched, {});
     if (!found) throw std::runtime_error("the loop is not found");
     return *found;
   }
@@ -86,7 +87,7 @@ void close_loop(benchmark::State& state) {
     Round round(static_cast<int>(state.range(0)));
     const VerifiedLoop loop = round.loop();
     state.ResumeTiming();
-    const LoopCorrection done = close_loop(round.tools(), round.mapped.atlas, loop);
+    const LoopReport done = close_loop(round.tools(), round.mapped.atlas, loop);
     state.counters["keyframes"] = done.keyframes;
     state.counters["landmarks"] = round.mapped.atlas.landmark_count();
     state.counters["fused"] = done.fused;
@@ -106,33 +107,33 @@ void full_bundle(benchmark::State& state) {
     state.PauseTiming();
     Round round(static_cast<int>(state.range(0)));
     close_loop(round.tools(), round.mapped.atlas, round.loop());
-    FullBundle bundle(round.mapped.atlas, 0);
+    FullBundle bundle(round.mapped.atlas, {0});
     state.ResumeTiming();
-    bundle.solve(round.mapped.scene.camera, {}, {10, 10, 1e-4});
+    bundle.solve({round.mapped.scene.camera, {}}, {10, 10, 1e-4});
     state.counters["observations"] = bundle.observations();
   }
 }
 BENCHMARK(full_bundle)->Arg(100)->Arg(500)->Unit(benchmark::kMillisecond)->MinTime(0.01);
 
-void copy_and_take_in_full_bundle(benchmark::State& state) {
+void copy_and_apply_full_bundle(benchmark::State& state) {
   Round round(static_cast<int>(state.range(0)));
-  FullBundle solved(round.mapped.atlas, 0);
-  solved.solve(round.mapped.scene.camera, {}, {1, 0, 1e-4});
+  FullBundle solved(round.mapped.atlas, {0});
+  solved.solve({round.mapped.scene.camera, {}}, {1, 0, 1e-4});
   for (auto step : state) {
-    const FullBundle copy(round.mapped.atlas, 0);
+    const FullBundle copy(round.mapped.atlas, {0});
     benchmark::DoNotOptimize(copy.observations());
     solved.apply(round.mapped.atlas);
   }
 }
-BENCHMARK(copy_and_take_in_full_bundle)->Arg(500)->Unit(benchmark::kMillisecond)->MinTime(0.01);
+BENCHMARK(copy_and_apply_full_bundle)->Arg(500)->Unit(benchmark::kMillisecond)->MinTime(0.01);
 
 void recognise_place(benchmark::State& state) {
   const Round round(static_cast<int>(state.range(0)));
-  LoopCloser closer(round.tools(), {});
-  closer.enter_all(round.mapped.atlas);
+  PlaceRecogniser places({round.tools().sensor, {}}, {});
+  places.add_all(round.mapped.atlas);
   const test::View& view = round.mapped.views[30];
   for (auto step : state)
-    benchmark::DoNotOptimize(closer.locate(round.mapped.atlas, {*view.features, view.motion}));
+    benchmark::DoNotOptimize(places.locate(round.mapped.atlas, {*view.features, view.motion}));
 }
 BENCHMARK(recognise_place)->Arg(500)->Unit(benchmark::kMillisecond);
 

@@ -11,11 +11,11 @@ namespace stdc {
 namespace {
 
 Tracker make_tracker(const Camera& camera, const Settings& s) {
-  return {camera, s.tracking, s.noise, s.pose_optimisation};
+  return {{{camera, s.noise}, s.pose_optimisation}, s.tracking};
 }
 
 LocalMapper make_mapper(const Camera& camera, const Settings& s) {
-  return {camera, s.mapping, s.noise, s.bundle_adjustment, s.tracking.close_depth};
+  return {{camera, s.noise}, s.mapping, s.bundle_adjustment, s.tracking.close_depth};
 }
 
 }  // namespace
@@ -39,15 +39,15 @@ void Replay::begin_anew() {
   atlas_ = Atlas();
   frame_ = extract();
   map_keyframe(make_keyframe());
-  take_in();
+  follow_atlas();
 }
 
 TrackedFrame Replay::extract() {
   const cv::Mat& grey = image().colour;
   auto features = std::make_shared<FrameFeatures>(camera(), extractor_.extract(grey), image().depth,
                                                   settings_.features.scale_factor,
-                                                  extractor_.levels(grey.size()), &extractor_.pyramid());
-  return {camera(), static_cast<int>(next_), image().timestamp, std::move(features)};
+                                                  extractor_.levels(grey.size()), extractor_.pyramid().get());
+  return {camera(), static_cast<int>(next_), image().timestamp, std::move(features), extractor_.pyramid()};
 }
 
 void Replay::look() {
@@ -62,7 +62,7 @@ void Replay::look() {
 }
 
 std::optional<KeyframeId> Replay::track() {
-  if (!tracker_.track(frame_, local_map_, extractor_.pyramid())) {
+  if (!tracker_.track(frame_, local_map_).tracked) {
     begin_anew();
     return {};
   }
@@ -84,13 +84,13 @@ KeyframeId Replay::next_keyframe() {
 
 KeyframeId Replay::make_keyframe() {
   tracker_.flush_counts(atlas_);
-  last_keyframe_ = insert_keyframe(atlas_, camera(), settings_.noise, frame_, settings_.tracking);
+  last_keyframe_ = insert_keyframe(atlas_, {camera(), settings_.noise}, frame_, settings_.tracking);
   last_keyframe_frame_ = frame_.index;
   tracker_.remember(frame_, last_keyframe_, frame_.cam_from_world);
   return last_keyframe_;
 }
 
-MappingOutcome Replay::map_keyframe(KeyframeId keyframe) { return mapper_.process(atlas_, keyframe); }
+MappingReport Replay::map_keyframe(KeyframeId keyframe) { return mapper_.process(atlas_, keyframe); }
 
 void Replay::prepare_bundle(KeyframeId keyframe) {
   const std::size_t made_by_mapper = atlas_.landmark_id_limit();
@@ -101,15 +101,15 @@ void Replay::prepare_bundle(KeyframeId keyframe) {
   }
   atlas_.update_covisibility(keyframe);
   cull_landmarks(atlas_, recent_, keyframe, settings_.mapping);
-  create_landmarks(atlas_, keyframe, camera(), settings_.noise, settings_.mapping);
+  create_landmarks(atlas_, keyframe, {camera(), settings_.noise}, settings_.mapping);
   for (auto id = static_cast<std::uint32_t>(made_by_mapper); id < atlas_.landmark_id_limit(); ++id) {
     recent_.push_back({id});
   }
-  fuse_landmarks(atlas_, keyframe, camera(), settings_.noise, settings_.mapping);
+  fuse_landmarks(atlas_, keyframe, {camera(), settings_.noise}, settings_.mapping);
 }
 
 LocalBundleReport Replay::adjust(KeyframeId keyframe) {
-  return adjust_locally(atlas_, keyframe, camera(), settings_.noise, settings_.bundle_adjustment,
+  return adjust_locally(atlas_, keyframe, {camera(), settings_.noise}, settings_.bundle_adjustment,
                         settings_.mapping);
 }
 
@@ -117,7 +117,7 @@ void Replay::after_bundle(KeyframeId keyframe) {
   cull_keyframes(atlas_, keyframe, settings_.tracking.close_depth, settings_.mapping);
 }
 
-void Replay::take_in() {
+void Replay::follow_atlas() {
   tracker_.flush_counts(atlas_);
   tracker_.follow(atlas_);
 }

@@ -28,21 +28,21 @@ class Replay {
   KeyframeId next_keyframe();
 
   /// Maps a keyframe: all of it,
-  MappingOutcome map_keyframe(KeyframeId keyframe);
+  MappingReport map_keyframe(KeyframeId keyframe);
   /// or in three parts, of which these are the steps of LocalMapper before bundle adjustment,
   void prepare_bundle(KeyframeId keyframe);
   LocalBundleReport adjust(KeyframeId keyframe);
   /// and this is what comes after it.
   void after_bundle(KeyframeId keyframe);
   /// Lets the tracker know that the map has changed.
-  void take_in();
+  void follow_atlas();
 
   const Camera& camera() const { return footage_.camera; }
   const Settings& settings() const { return settings_; }
   const RgbdImage& image() const { return footage_.frames[next_]; }  ///< of the frame looked at
   const TrackedFrame& frame() const { return frame_; }
   const LocalMap& local_map() const { return local_map_; }
-  const Pyramid& pyramid() const { return extractor_.pyramid(); }
+  std::shared_ptr<const Pyramid> pyramid() const { return extractor_.pyramid(); }
   const Tracker& tracker() const { return tracker_; }
   const Atlas& atlas() const { return atlas_; }
   KeyframeId last_keyframe() const { return last_keyframe_; }

@@ -27,7 +27,7 @@ constexpr int kKeyframes = 20;  // timed by each benchmark of mapping
 struct Moment {
   RgbdImage image;
   Features raw;
-  Pyramid pyramid;
+  std::shared_ptr<const Pyramid> pyramid;
   Tracker tracker;
   LocalMap local_map;
   TrackedFrame fresh;                         ///< nothing is known but its features
@@ -72,11 +72,11 @@ Moment take_moment(const Replay& replay, const Vector6d& velocity) {
   moment.predicted.set_motion(replay.camera(), velocity);
   moment.located = moment.predicted;
   moment.from_last = optimise(replay, moment.located,
-                              match_last_frame(replay.camera(), moment.map, last, moment.predicted,
+                              match_last_frame(replay.camera(), moment.local_map, last, moment.predicted,
                                                settings.search_radius, settings));
   moment.from_map = moment.from_last;
   std::vector<int> visible;
-  match_local_map(replay.camera(), moment.map, moment.located, settings.local_map_radius, settings,
+  match_local_map(replay.camera(), moment.local_map, moment.located, settings.local_map_radius, settings,
                   moment.from_map, visible);
   moment.observations = make_observations(moment.located, moment.from_map);
   return moment;
@@ -94,7 +94,7 @@ std::vector<Moment> take_moments() {
     if (i >= kFirst && i % step == 0) moments.push_back(take_moment(replay, velocity));
     if (const auto keyframe = replay.track()) {
       replay.map_keyframe(*keyframe);
-      replay.take_in();
+      replay.follow_atlas();
     }
     const TrackedFrame& now = replay.tracker().last();
     const double dt = now.timestamp - last.timestamp;
@@ -131,7 +131,7 @@ void make_frame_features(benchmark::State& state) {
     const Moment& m = moments.next();
     benchmark::DoNotOptimize(FrameFeatures(footage().camera, m.raw, m.image.depth,
                                            settings.features.scale_factor,
-                                           extractor.levels(m.image.colour.size()), &m.pyramid));
+                                           extractor.levels(m.image.colour.size()), m.pyramid.get()));
   }
 }
 BENCHMARK(make_frame_features)->Unit(benchmark::kMicrosecond);
@@ -142,7 +142,7 @@ void match_to_last_frame(benchmark::State& state) {
   std::size_t matches = 0;
   for (auto _ : state) {
     const Moment& m = moments.next();
-    matches += match_last_frame(footage().camera, m.map, m.tracker.last(), m.predicted,
+    matches += match_last_frame(footage().camera, m.local_map, m.tracker.last(), m.predicted,
                                 settings.search_radius, settings)
                    .size();
   }
@@ -158,7 +158,8 @@ void match_to_local_map(benchmark::State& state) {
   for (auto _ : state) {
     const Moment& m = moments.next();
     std::vector<FrameMatch> all = m.from_last;
-    match_local_map(footage().camera, m.map, m.located, settings.local_map_radius, settings, all, visible);
+    match_local_map(footage().camera, m.local_map, m.located, settings.local_map_radius, settings, all,
+                    visible);
     matches += all.size();
     landmarks += m.atlas.landmarks.size();
   }
@@ -177,7 +178,7 @@ void align_patches(benchmark::State& state) {
     TrackedFrame frame = m.located;
     matches += m.from_map.size();
     state.ResumeTiming();
-    align_matches(footage().camera, settings.noise, m.map, m.pyramid, m.from_map, frame);
+    align_matches({footage().camera, settings.noise}, m.local_map, m.from_map, frame);
   }
   count(state, "matches", matches);
 }
@@ -207,7 +208,7 @@ void track_frame(benchmark::State& state) {
     Tracker tracker = m.tracker;
     TrackedFrame frame = m.fresh;
     state.ResumeTiming();
-    benchmark::DoNotOptimize(tracker.track(frame, m.map, m.pyramid));
+    benchmark::DoNotOptimize(tracker.track(frame, m.local_map).tracked);
   }
 }
 BENCHMARK(track_frame)->Unit(benchmark::kMicrosecond);
@@ -219,7 +220,7 @@ void gather_local_map(benchmark::State& state) {
     replay.look();
     if (const auto keyframe = replay.track()) {
       replay.map_keyframe(*keyframe);
-      replay.take_in();
+      replay.follow_atlas();
     }
   }
   const std::vector<LandmarkId> seen = replay.tracker().last().landmarks;
@@ -241,7 +242,7 @@ void map_keyframe(benchmark::State& state) {
     state.ResumeTiming();
     replay.map_keyframe(keyframe);
     state.PauseTiming();
-    replay.take_in();
+    replay.follow_atlas();
     state.ResumeTiming();
   }
 }
@@ -261,7 +262,7 @@ void adjust_keyframe_locally(benchmark::State& state) {
     observations += static_cast<std::size_t>(report.observations);
     keyframes += static_cast<std::size_t>(report.keyframes + report.fixed_keyframes);
     replay.after_bundle(keyframe);
-    replay.take_in();
+    replay.follow_atlas();
     state.ResumeTiming();
   }
   count(state, "observations", observations);

@@ -45,9 +45,13 @@ std::string small_map(int maps, bool patches) {
   stdc::Atlas atlas;
   for (int frame = 0; frame < 2 * maps; ++frame) {
     const bool second = frame % 2 == 1;
-    const stdc::KeyframeId id =
-        atlas.add_keyframe({frame, 0.1 * frame, stdc::Pose(), stdc::CameraMotion(), features,
-                            stdc::measure_keypoints(camera, {}, *features), frame / 2});
+    const stdc::KeyframeId id = atlas.add_keyframe({frame,
+                                                    0.1 * frame,
+                                                    stdc::Pose(),
+                                                    stdc::CameraMotion(),
+                                                    features,
+                                                    stdc::measure_keypoints(camera, {}, *features),
+                                                    {static_cast<std::uint32_t>(frame / 2)}});
     for (int i = 0; i < 3; ++i) {
       if (!second) atlas.add_landmark({0.1 * i, 0, 2}, id);
       atlas.observe(id, i, {static_cast<std::uint32_t>(3 * (frame / 2) + i)});

@@ -111,7 +111,7 @@ TEST(AtlasFile, AMapNumberBeyondTheKeyframesIsRefused) {
   // camera's.
   const MappedScene mapped = make_atlas();
   std::string bytes = bytes_of(mapped.scene.camera, mapped.atlas);
-  constexpr std::size_t kCamera = 16 + 2 * 4 + 12 * 8, kNumber = 4 + 8 + 7 * 8 + 8 * 8;
+  constexpr std::size_t kCamera = 16 + 2 * 4 + 15 * 8 + 4, kNumber = 4 + 8 + 7 * 8 + 8 * 8;
   const std::size_t payload = 16 + kCamera + 16;
   std::uint64_t size = 0;
   std::memcpy(&size, bytes.data() + payload - 8, sizeof(size));

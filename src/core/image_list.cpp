@@ -7,7 +7,8 @@
 
 namespace stdc {
 
-std::vector<ImageListEntry> parse_image_list(std::string_view text, const std::string& name) {
+std::vector<ImageListEntry> parse_image_list(std::string_view text, const std::string& name,
+                                             StampOrder order) {
   constexpr const char* kLayout = "write each line as: timestamp filename";
   std::vector<ImageListEntry> entries;
   LineReader lines(text);
@@ -23,11 +24,13 @@ std::vector<ImageListEntry> parse_image_list(std::string_view text, const std::s
     if (entry.file.find('\0') != std::string::npos) {
       throw Error(where, "the file name holds a zero byte", kLayout);
     }
-    if (!entries.empty() && !(entry.timestamp > entries.back().timestamp)) {
+    if (order == StampOrder::increasing && !entries.empty() &&
+        !(entry.timestamp > entries.back().timestamp)) {
       throw Error(where,
                   fmt::format("the timestamp {:.6f} is not later than the one before ({:.6f})",
                               entry.timestamp, entries.back().timestamp),
-                  "sort the lines by time and remove duplicates");
+                  "sort the lines by time and remove duplicates, or take the order of the lines for the "
+                  "time: --rate HZ");
     }
     entries.push_back(std::move(entry));
   }

@@ -14,9 +14,9 @@ TEST(PrecisionRecall, FollowsTheThreshold) {
     EXPECT_DOUBLE_EQ(result.curve[i].precision, precision[i]);
     EXPECT_DOUBLE_EQ(result.curve[i].recall, recall[i]);
   }
-  EXPECT_DOUBLE_EQ(result.average_precision, 0.25 + 0.25 + 0.25 * 0.75);
-  EXPECT_DOUBLE_EQ(result.recall_without_error, 0.5);
-  EXPECT_DOUBLE_EQ(result.best_wrong_score, 0.5);
+  EXPECT_DOUBLE_EQ(result.average_precision.value(), 0.25 + 0.25 + 0.25 * 0.75);
+  EXPECT_DOUBLE_EQ(result.recall_without_error.value(), 0.5);
+  EXPECT_DOUBLE_EQ(result.best_wrong_score.value(), 0.5);
 }
 
 TEST(PrecisionRecall, EqualScoresAreTakenTogether) {
@@ -24,21 +24,21 @@ TEST(PrecisionRecall, EqualScoresAreTakenTogether) {
     const PrecisionRecall result = precision_recall({{0.5, first}, {0.5, !first}, {0.4, true}}, 2);
     ASSERT_EQ(result.curve.size(), 2U);
     EXPECT_DOUBLE_EQ(result.curve[0].precision, 0.5);
-    EXPECT_DOUBLE_EQ(result.recall_without_error, 0);
+    EXPECT_DOUBLE_EQ(result.recall_without_error.value(), 0);
   }
 }
 
 TEST(PrecisionRecall, PerfectAndHopeless) {
   const PrecisionRecall perfect = precision_recall({{2, true}, {1, true}}, 2);
-  EXPECT_DOUBLE_EQ(perfect.average_precision, 1);
-  EXPECT_DOUBLE_EQ(perfect.recall_without_error, 1);
-  EXPECT_DOUBLE_EQ(perfect.best_wrong_score, 0);
-  EXPECT_DOUBLE_EQ(precision_recall({{2, false}, {1, false}}, 2).average_precision, 0);
+  EXPECT_DOUBLE_EQ(perfect.average_precision.value(), 1);
+  EXPECT_DOUBLE_EQ(perfect.recall_without_error.value(), 1);
+  EXPECT_FALSE(perfect.best_wrong_score);
+  EXPECT_DOUBLE_EQ(precision_recall({{2, false}, {1, false}}, 2).average_precision.value(), 0);
 }
 
 TEST(PrecisionRecall, NothingAskedOrNothingToFind) {
   EXPECT_TRUE(precision_recall({}, 3).curve.empty());
-  EXPECT_DOUBLE_EQ(precision_recall({}, 3).average_precision, 0);
+  EXPECT_DOUBLE_EQ(precision_recall({}, 3).average_precision.value(), 0);
   EXPECT_DOUBLE_EQ(precision_recall({{1, false}}, 0).curve[0].recall, 0);
 }
 

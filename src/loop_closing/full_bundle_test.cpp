@@ -53,7 +53,7 @@ TEST(FullBundle, MendsAWholeMap) {
   MappedScene mapped = mapped_scene(8);
   shake(mapped.atlas);
   ASSERT_GT(worst_error(mapped.atlas), 0.03);
-  FullBundle bundle(mapped.atlas, 0);
+  FullBundle bundle(mapped.atlas, {0});
   EXPECT_EQ(bundle.keyframes(), 8);
   bundle.solve({mapped.scene.camera, {}}, {});
   EXPECT_TRUE(bundle.apply(mapped.atlas));
@@ -64,7 +64,7 @@ TEST(FullBundle, MendsAWholeMap) {
 TEST(FullBundle, WhatCameInTheMeantimeMovesAlong) {
   MappedScene mapped = mapped_scene(6);
   shake(mapped.atlas);
-  FullBundle bundle(mapped.atlas, 0);
+  FullBundle bundle(mapped.atlas, {0});
   bundle.solve({mapped.scene.camera, {}}, {});
   // A keyframe that was placed relative to its shaken parent, with a landmark of its own.
   const test::View view = mapped.scene.look(place(6), options(6));
@@ -91,7 +91,7 @@ TEST(FullBundle, WhatCameInTheMeantimeMovesAlong) {
 TEST(FullBundle, WhatHasGoneInTheMeantimeIsPassedOver) {
   MappedScene mapped = mapped_scene(6);
   shake(mapped.atlas);
-  FullBundle bundle(mapped.atlas, 0);
+  FullBundle bundle(mapped.atlas, {0});
   bundle.solve({mapped.scene.camera, {}}, {});
   mapped.atlas.remove(KeyframeId{3});
   mapped.atlas.remove(mapped.atlas.landmark_ids()[5]);
@@ -107,7 +107,7 @@ TEST(FullBundle, LeavesOtherMapsAlone) {
   const Pose before = mapped.atlas.keyframe({5}).cam_from_world;
   shake(mapped.atlas);
   mapped.atlas.set_pose({5}, before);
-  FullBundle bundle(mapped.atlas, 0);
+  FullBundle bundle(mapped.atlas, {0});
   EXPECT_EQ(bundle.keyframes(), 4);
   bundle.solve({mapped.scene.camera, {}}, {});
   EXPECT_TRUE(bundle.apply(mapped.atlas));
@@ -116,7 +116,7 @@ TEST(FullBundle, LeavesOtherMapsAlone) {
 
 TEST(FullBundle, AnUnusableSolutionChangesNothing) {
   Atlas atlas;
-  FullBundle bundle(atlas, 0);
+  FullBundle bundle(atlas, {0});
   bundle.solve({Camera(), {}}, {});
   EXPECT_FALSE(bundle.apply(atlas));
 }

@@ -6,7 +6,7 @@
 
 #include "atlas/map_bundle.hpp"
 #include "loop_closing/full_bundle.hpp"
-#include "loop_closing/loop_closer.hpp"
+#include "place_recognition/place_recogniser.hpp"
 #include "place_recognition/test_revisit.hpp"
 
 namespace stdc {
@@ -147,59 +147,26 @@ TEST(LoopReport, AlsoWhenTheCameraIsInTheOlder) {
   expect_merged(revisit, close(revisit, revisit.first[2], revisit.second[2]), truth);
 }
 
-TEST(LoopCloser, FindsTheSecondVisitAndClosesTheLoop) {
+TEST(LoopCorrection, OnceClosedBothVisitsAreOnePlace) {
   Revisit revisit{Scene(500)};
   revisit.visit_first(5);
-  LoopCloser closer(tools_for(revisit), {});
-  for (const KeyframeId id : revisit.first) EXPECT_FALSE(closer.find(revisit.mapped.atlas, id));
+  const LoopTools tools = tools_for(revisit);
+  PlaceRecogniser places({tools.sensor, {}}, {});
+  for (const KeyframeId id : revisit.first) {
+    EXPECT_FALSE(places.find_loop(revisit.mapped.atlas, id, true));
+    places.add(revisit.mapped.atlas, id);
+  }
   revisit.visit_second(revisit.mapped.scene, 5);
   int found = 0;
   for (const KeyframeId id : revisit.second) {
-    const auto loop = closer.find(revisit.mapped.atlas, id);
+    const auto loop = places.find_loop(revisit.mapped.atlas, id, true);
+    places.add(revisit.mapped.atlas, id);
     if (!loop) continue;
     ++found;
-    closer.close(revisit.mapped.atlas, *loop);
+    places.reset_detection();
+    close_loop(tools, revisit.mapped.atlas, *loop);
   }
-  EXPECT_EQ(found, 1) << "once closed, both visits are one place";
-}
-
-TEST(LoopCloser, LocatesAFrameByItsLooks) {
-  Revisit revisit{Scene(500)};
-  revisit.visit_first(5);
-  LoopCloser closer(tools_for(revisit), {});
-  closer.enter_all(revisit.mapped.atlas);
-  test::ViewOptions options;
-  options.depth_noise = 0.003;
-  options.pixel_noise = 0.4;
-  options.seed = 55;
-  const test::View view = revisit.mapped.scene.look(test::camera_at(0.15, 0, 0.1, 0.02, 0.03, 0.1), options);
-  const auto places = closer.locate(revisit.mapped.atlas, {*view.features, view.motion});
-  ASSERT_FALSE(places.empty());
-  EXPECT_LT(centre_error(places.front().pose.cam_from_world, view.cam_from_world), 0.01);
-  const test::View elsewhere = Scene(500, false, 9).look(test::camera_at(0, 0, 0), options);
-  EXPECT_TRUE(closer.locate(revisit.mapped.atlas, {*elsewhere.features, elsewhere.motion}).empty());
-}
-
-TEST(LoopCloser, WhatWasCulledIsForgotten) {
-  Revisit revisit{Scene(400)};
-  revisit.visit_first(5);
-  LoopCloser closer(tools_for(revisit), {});
-  for (int k = 0; k < 4; ++k) closer.find(revisit.mapped.atlas, revisit.first[k]);
-  revisit.mapped.atlas.remove(revisit.first[2]);
-  EXPECT_FALSE(closer.find(revisit.mapped.atlas, revisit.first[4]));
-  const auto places = closer.locate(revisit.mapped.atlas, {*revisit.mapped.views[2].features, {}});
-  for (const auto& place : places) EXPECT_NE(place.keyframe, revisit.first[2]);
-}
-
-TEST(LoopCloser, CanBeSwitchedOff) {
-  Revisit revisit{Scene(500)};
-  revisit.visit_first(5);
-  LoopTools tools = tools_for(revisit);
-  tools.settings.active = false;
-  LoopCloser closer(tools, {});
-  closer.enter_all(revisit.mapped.atlas);
-  revisit.visit_second(revisit.mapped.scene, 5);
-  for (const KeyframeId id : revisit.second) EXPECT_FALSE(closer.find(revisit.mapped.atlas, id));
+  EXPECT_EQ(found, 1);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ class Walk {
   explicit Walk(int keyframes, double pose_error = 0.004) : mapped(test::Scene(350)) {
     noise.pixel_sigma = 0.6;
     noise.inverse_depth_sigma = 0.005;
-    mapper.emplace(mapped.scene.camera, MappingSettings(), noise, BundleSettings(), 3.2);
+    mapper.emplace(SensorModel{mapped.scene.camera, noise}, MappingSettings(), BundleSettings(), 3.2);
     Random random(3);
     for (int k = 0; k < keyframes; ++k) step(k, k == 0 ? 0 : pose_error, random);
   }

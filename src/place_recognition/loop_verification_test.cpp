@@ -108,9 +108,9 @@ TEST(PlacePose, PlacesAFrameThatIsNotInTheMap) {
     options.depth = depth;
     const Pose pose = test::camera_at(0.2, 0, 0.05, 0, 0.03, -0.3);
     const test::View view = revisit.mapped.scene.look(pose, options);
-    const auto place = find_in_place(revisit.mapped.scene.camera, revisit.mapped.atlas,
+    const auto place = find_in_place({{revisit.mapped.scene.camera, {}}, {}}, revisit.mapped.atlas,
                                      place_window(revisit.mapped.atlas, revisit.first[0], 3),
-                                     {*view.features, view.motion}, {}, {}, {});
+                                     {*view.features, view.motion}, {40, 0.2}, {});
     ASSERT_EQ(place.has_value(), depth) << "the first guess needs depths";
     if (!place) continue;
     EXPECT_LT(centre_error(place->cam_from_world, pose), 0.005);
@@ -127,8 +127,8 @@ TEST(PlacePose, AWindowIsTheKeyframeAndItsBestNeighbours) {
   EXPECT_EQ(window[0], revisit.first[2]);
   EXPECT_EQ(window[1], atlas.keyframe(revisit.first[2]).covisible[0].keyframe);
   EXPECT_EQ(place_window(atlas, revisit.first[2], 100).size(), 5U);
-  EXPECT_FALSE(find_in_place(revisit.mapped.scene.camera, atlas, {},
-                             {*atlas.keyframe(revisit.first[0]).features, {}}, {}, {}, {}));
+  EXPECT_FALSE(find_in_place({{revisit.mapped.scene.camera, {}}, {}}, atlas, {},
+                             {*atlas.keyframe(revisit.first[0]).features, {}}, {40, 0.2}, {}));
 }
 
 }  // namespace

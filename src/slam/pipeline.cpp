@@ -212,6 +212,10 @@ std::vector<LoopReport> Pipeline::finish() {
 void Pipeline::load_map(const std::filesystem::path& path) {
   if (next_frame_ > 0) throw Error(path.string(), "was given after the first frame", "load the map before");
   StoredMap stored = stdc::load_map(path);
+  if (settings_.system.localisation_only && stored.atlas.keyframe_count() == 0) {
+    throw Error(path.string(), "holds an empty map: there is nothing to find the camera in",
+                "give the map of a run in which frames got a pose");
+  }
   stored.camera.rotation = camera().rotation;  // for the network only: a map does not know it
   if (stored.camera != camera()) {
     throw Error(path.string(), "was made with another camera",

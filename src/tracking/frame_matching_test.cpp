@@ -88,7 +88,7 @@ TEST_P(Shutter, MatchesOfTheLocalMapAreTheTrueOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Matching, Shutter, ::testing::Values(0.0, 0.03),
-                         [](const auto& info) { return info.param > 0 ? "rolling" : "global"; });
+                         [](const auto& shutter) { return shutter.param > 0 ? "rolling" : "global"; });
 
 TEST(FrameMatching, IgnoringARollingShutterLosesMatches) {
   const Between scene(0.03);

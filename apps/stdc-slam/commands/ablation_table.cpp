@@ -6,6 +6,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "report/quantiles.hpp"
+
 namespace stdc::app {
 namespace {
 
@@ -16,7 +18,7 @@ std::string accuracy(const AblationCell& cell) {
   return cell.ate_rmse ? fmt::format("{:.4f} {}", *cell.ate_rmse, coverage) : "- " + coverage;
 }
 
-std::string time(const AblationCell& cell) { return fmt::format("{:.2f}", cell.frame_ms); }
+std::string time(const AblationCell& cell) { return to_text(cell.frame_ms, 2); }
 
 /// Cells as text, the head line first.
 std::vector<std::vector<std::string>> cells(const AblationTable& table, const CellText& text) {
@@ -81,7 +83,7 @@ std::string format_json(const AblationTable& table) {
       entry[table.columns[i]] = {
           {"ate_rmse_m", cell.ate_rmse ? nlohmann::ordered_json(*cell.ate_rmse) : nullptr},
           {"coverage", cell.coverage},
-          {"frame_ms", cell.frame_ms}};
+          {"frame_ms", to_json(cell.frame_ms)}};
     }
   }
   return json.dump(2) + "\n";

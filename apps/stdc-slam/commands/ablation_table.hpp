@@ -10,7 +10,7 @@ namespace stdc::app {
 struct AblationCell {
   std::optional<double> ate_rmse;  ///< [m]; nothing if the run could not be scored
   double coverage = 0;             ///< share of the frames that have a pose in the map that holds most
-  double frame_ms = 0;             ///< median wall milliseconds of the tracking thread
+  std::optional<double> frame_ms;  ///< median wall milliseconds of the tracking thread
 };
 
 struct AblationRow {

@@ -30,8 +30,8 @@ void export_map(const Options& options) {
   const StoredMap stored = load_map(options.file);
   OutputFolder output(options.output);
   output.write("points.ply", point_cloud_ply(stored.atlas));
-  for (int number = 0; number < stored.atlas.map_count(); ++number) {
-    output.write(file_of_map("keyframes", number), format_trajectory(keyframes_of(stored.atlas, number)));
+  for (MapId map{0}; map < stored.atlas.next_map(); ++map.value) {
+    output.write(file_of_map("keyframes", map), format_trajectory(keyframes_of(stored.atlas, map)));
   }
   output.drop_older("keyframes-map-");
   output.commit();

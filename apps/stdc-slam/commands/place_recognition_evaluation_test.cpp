@@ -56,8 +56,8 @@ TEST(PlaceRecognitionTest, ScoresCountWhatThereWasToFind) {
   EXPECT_EQ(scores.possible, 2);
   EXPECT_EQ(scores.first_right, 1);
   EXPECT_EQ(scores.five_right, 2);
-  EXPECT_DOUBLE_EQ(scores.first.recall_without_error, 0.5);
-  EXPECT_DOUBLE_EQ(scores.first.best_wrong_score, 0.4);
+  EXPECT_DOUBLE_EQ(scores.first.recall_without_error.value(), 0.5);
+  EXPECT_DOUBLE_EQ(scores.first.best_wrong_score.value(), 0.4);
   EXPECT_EQ(scores.verified_right, 1);
   EXPECT_EQ(scores.verified_wrong, 1);
   EXPECT_DOUBLE_EQ(scores.worst_error_m, 2);

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
 #include "report/plot.hpp"
+#include "report/quantiles.hpp"
 #include "run/output_folder.hpp"
 #include "run/progress.hpp"
 #include "run/sequence_input.hpp"
@@ -24,7 +25,7 @@ struct Options {
   std::string sequence, frames;
   std::optional<std::string> camera, output;
   int step = 5;
-  PlaceRecognitionTestSettings trial;
+  PlaceRecognitionTestSettings test;
   bool json = false, quiet = false;
 };
 
@@ -45,7 +46,7 @@ std::optional<Pose> pose_at(const Trajectory& truth, double timestamp) {
   return nearest->world_from_cam.inverse();
 }
 
-void run_trial(const Options& options, const SequenceInput& input, PlaceRecognitionTest& trial) {
+void run_test(const Options& options, const SequenceInput& input, PlaceRecognitionTest& test) {
   const auto step = static_cast<std::size_t>(options.step);
   const std::size_t views = (input.frames.size() + step - 1) / step;
   Progress progress("recognising", "views", static_cast<int>(views), options.quiet);
@@ -53,59 +54,63 @@ void run_trial(const Options& options, const SequenceInput& input, PlaceRecognit
     const SequenceFrame& files = input.frames[i];
     const auto pose = pose_at(*input.truth, files.timestamp);
     if (pose) {
-      trial.add(input.first_frame + static_cast<int>(i), load_frame(files, input.camera, ColourMode::grey),
-                *pose);
+      test.add(input.first_frame + static_cast<int>(i), load_frame(files, input.camera, ColourMode::grey),
+               *pose);
     }
     progress.update(static_cast<int>(i / step) + 1);
   }
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+std::optional<double> median(const std::vector<double>& values) { return quantiles(values).median; }
+
+std::optional<double> share(int part, int whole) {
+  return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
 }
 
-double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; }
-
-std::string format_scores(const PlaceScores& scores, const PlaceRecognitionTest& trial,
+std::string format_scores(const PlaceScores& scores, const PlaceRecognitionTest& test,
                           const PlaceRecognitionTestSettings& settings) {
+  const int verified = scores.verified_right + scores.verified_wrong;
+  const auto if_verified = [&](double value) { return verified > 0 ? std::optional(value) : std::nullopt; };
   std::string text =
       fmt::format("{} views; {} see at least {:.0f} % of a view that is {:g} s older or more\n", scores.views,
                   scores.possible, 100 * settings.overlap, settings.gap);
-  text +=
-      fmt::format("first answer right:      {:6.1f} %   among the first five {:.1f} %\n",
-                  percent(scores.first_right, scores.possible), percent(scores.five_right, scores.possible));
-  text += fmt::format(
-      "average precision:       {:6.3f}     recall at 100 % precision {:.1f} % (score above {:.4f})\n",
-      scores.first.average_precision, 100 * scores.first.recall_without_error, scores.first.best_wrong_score);
-  const int verified = scores.verified_right + scores.verified_wrong;
-  text +=
-      fmt::format("verified: precision      {:6.1f} %   recall {:.1f} %   ({} right, {} wrong)\n",
-                  percent(scores.verified_right, verified), percent(scores.verified_right, scores.possible),
-                  scores.verified_right, scores.verified_wrong);
-  text += fmt::format("their poses: worst error {:6.1f} mm  {:.2f} degrees\n", 1e3 * scores.worst_error_m,
-                      57.29577951308232 * scores.worst_error_rad);
-  text += fmt::format("CPU time, medians:       {:6.2f} ms a query, {:.2f} ms a verification\n",
-                      median(trial.query_ms()), median(trial.verify_ms()));
+  text += fmt::format("first answer right:      {:>6} %   among the first five {} %\n",
+                      to_text(share(scores.first_right, scores.possible), 1, 100),
+                      to_text(share(scores.five_right, scores.possible), 1, 100));
+  text += fmt::format("average precision:       {:>6}     recall at 100 % precision {} % (score above {})\n",
+                      to_text(scores.first.average_precision, 3),
+                      to_text(scores.first.recall_without_error, 1, 100),
+                      to_text(scores.first.best_wrong_score, 4));
+  text += fmt::format("verified: precision      {:>6} %   recall {} %   ({} right, {} wrong)\n",
+                      to_text(share(scores.verified_right, verified), 1, 100),
+                      to_text(share(scores.verified_right, scores.possible), 1, 100), scores.verified_right,
+                      scores.verified_wrong);
+  text += fmt::format("their poses: max error   {:>6} mm  {} degrees\n",
+                      to_text(if_verified(scores.worst_error_m), 1, 1e3),
+                      to_text(if_verified(scores.worst_error_rad), 2, 57.29577951308232));
+  text += fmt::format("CPU time, medians:       {:>6} ms a query, {} ms a verification\n",
+                      to_text(median(test.query_ms()), 2), to_text(median(test.verify_ms()), 2));
   return text;
 }
 
-nlohmann::json to_json(const PlaceScores& scores, const PlaceRecognitionTest& trial) {
+nlohmann::json to_json(const PlaceScores& scores, const PlaceRecognitionTest& test) {
+  const bool verified = scores.verified_right + scores.verified_wrong > 0;
+  const auto if_verified = [&](double value) {
+    return app::to_json(verified ? std::optional(value) : std::nullopt);
+  };
   return {{"views", scores.views},
           {"possible", scores.possible},
           {"first_right", scores.first_right},
           {"five_right", scores.five_right},
-          {"average_precision", scores.first.average_precision},
-          {"recall_without_error", scores.first.recall_without_error},
-          {"best_wrong_score", scores.first.best_wrong_score},
+          {"average_precision", app::to_json(scores.first.average_precision)},
+          {"recall_without_error", app::to_json(scores.first.recall_without_error)},
+          {"best_wrong_score", app::to_json(scores.first.best_wrong_score)},
           {"verified_right", scores.verified_right},
           {"verified_wrong", scores.verified_wrong},
-          {"worst_error_m", scores.worst_error_m},
-          {"worst_error_rad", scores.worst_error_rad},
-          {"query_ms", median(trial.query_ms())},
-          {"verify_ms", median(trial.verify_ms())}};
+          {"worst_error_m", if_verified(scores.worst_error_m)},
+          {"worst_error_rad", if_verified(scores.worst_error_rad)},
+          {"query_ms", app::to_json(median(test.query_ms()))},
+          {"verify_ms", app::to_json(median(test.verify_ms()))}};
 }
 
 cv::Mat draw_curve(const PlaceScores& scores, const std::string& name) {
@@ -119,8 +124,8 @@ cv::Mat draw_curve(const PlaceScores& scores, const std::string& name) {
   }
   const int verified = scores.verified_right + scores.verified_wrong;
   if (verified > 0 && scores.possible > 0) {
-    plot.dot({0.01 * percent(scores.verified_right, scores.possible),
-              0.01 * percent(scores.verified_right, verified)},
+    plot.dot({0.01 * 100 * share(scores.verified_right, scores.possible).value_or(0),
+              0.01 * 100 * share(scores.verified_right, verified).value_or(0)},
              7, red);
   }
   plot.finish_area();
@@ -149,16 +154,16 @@ void run(const Options& options) {
   }
   std::optional<OutputFolder> output;
   if (options.output) output.emplace(*options.output);
-  PlaceRecognitionTest trial(input.camera, options.trial);
-  run_trial(options, input, trial);
-  const PlaceScores scores = score_places(trial.answers(), options.trial);
+  PlaceRecognitionTest test(input.camera, options.test);
+  run_test(options, input, test);
+  const PlaceScores scores = score_places(test.answers(), options.test);
   if (output) {
-    output->write("places.csv", format_answers(trial.answers()));
+    output->write("places.csv", format_answers(test.answers()));
     output->write("places.png", encode_png(draw_curve(scores, input.name)));
     output->commit();
   }
-  fmt::print("{}", options.json ? to_json(scores, trial).dump(2) + "\n"
-                                : format_scores(scores, trial, options.trial));
+  fmt::print("{}",
+             options.json ? to_json(scores, test).dump(2) + "\n" : format_scores(scores, test, options.test));
 }
 
 }  // namespace
@@ -172,11 +177,11 @@ void add_places_command(CLI::App& app) {
   command->add_option("--step", options->step, "Every how many frames there is a view")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_option("--gap", options->trial.gap, "Seconds for which a place must have been left")
+  command->add_option("--gap", options->test.gap, "Seconds for which a place must have been left")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command
-      ->add_option("--overlap", options->trial.overlap,
+      ->add_option("--overlap", options->test.overlap,
                    "Share of the view that must have been seen before for there to be a place to find")
       ->check(CLI::Range(PlaceRecognitionTest::kRight, 1.0))
       ->capture_default_str();

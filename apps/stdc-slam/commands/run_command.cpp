@@ -36,6 +36,7 @@ Examples:
   stdc-slam run my-sequence --camera my-camera.yaml --output results --frames 100:400
   stdc-slam run my-sequence --output results --set features.keypoints=2000 --selection orb-slam3
   stdc-slam run my-sequence --output results --realtime --set segmentation.pace=asynchronous
+  stdc-slam run stamps-made-by-hand --output results --rate 30
   stdc-slam run empty-room --output results --segmentation off
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam run second-visit --output results --load-map office.map --save-map office.map
@@ -53,6 +54,12 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--localisation-only", options.localisation_only,
                    "Only find the camera in the loaded map, and leave that as it is");
   command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
+  command
+      .add_option("--rate", options.rate,
+                  "Take the order of the lines in rgb.txt and depth.txt for the time: frame i at i / HZ "
+                  "seconds, whatever their stamps say")
+      ->type_name("HZ")
+      ->check(CLI::Range(0.1, 1000.0));
   CLI::Option* debug_images =
       command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
   command
@@ -69,7 +76,7 @@ void add_options(CLI::App& command, RunOptions& options) {
 
 void add_run_command(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Find the camera's way through an RGB-D sequence");
+  CLI::App* command = app.add_subcommand("run", "Find the camera's trajectory through an RGB-D sequence");
   add_options(*command, *options);
   command->callback([options] {
     if (options->debug_every < 1) {

@@ -150,6 +150,21 @@ TEST_F(SegmentCommand, TurnsTheImagesOfATurnedCamera) {
   expect_refusal("upright.png --camera no.yaml --output o", "no.yaml: cannot be opened");
 }
 
+TEST_F(SegmentCommand, ScoresMasksOfAnotherSize) {
+  cv::Mat image;
+  cv::cvtColor(test::test_texture(160), image, cv::COLOR_GRAY2BGR);
+  folder_.write("in/a.png", encode_png(image));
+  cv::Mat half(image.rows / 2, image.cols / 2, CV_8UC1, cv::Scalar(0));
+  half.colRange(0, 30).setTo(255);
+  folder_.write("half/a.png", encode_png(half));
+  const Outcome scored = call("in --output scored --size 96x64 --score half");
+  ASSERT_EQ(scored.code, 0) << scored.err;
+  EXPECT_TRUE(contains(scored.out, "scored      1 images")) << scored.out;
+  folder_.write("wide/a.png", encode_png(cv::Mat(40, 90, CV_8UC1, cv::Scalar(0))));
+  expect_refusal("in --output o --size 96x64 --score wide",
+                 "wide/a.png: is a mask of 90 x 40 pixels, of another shape than its image");
+}
+
 TEST_F(SegmentCommand, RunTakesTheMasksOfASequence) {
   stdc::test::write_test_sequence(folder_, "s", 6);
   ASSERT_EQ(call("s --output o --size 96x64").code, 0);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
@@ -67,14 +69,31 @@ std::optional<cv::Size> size_of(const fs::path& path) {
   return image_size(Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+/// Brings a true mask of another size to that of its image, if it has the same shape within 1 %.
+cv::Mat fit_truth(const cv::Mat& truth, cv::Size size, const fs::path& path) {
+  if (truth.size() == size) return truth;
+  const double wide = static_cast<double>(truth.cols) * size.height;
+  const double high = static_cast<double>(truth.rows) * size.width;
+  if (std::abs(wide - high) > 0.01 * high) {
+    throw Error(path.string(),
+                fmt::format("is a mask of {} x {} pixels, of another shape than its image of {} x {}",
+                            truth.cols, truth.rows, size.width, size.height),
+                "give true masks of the image's size, or scaled copies of it");
+  }
+  cv::Mat scaled;
+  cv::resize(truth, scaled, size, 0, 0, cv::INTER_NEAREST);
+  return scaled;
+}
+
 /// A grey PNG as stored; nothing if there is no file.
-std::optional<cv::Mat> load_grey(const fs::path& path, cv::Size size) {
+std::optional<cv::Mat> load_grey(const fs::path& path) {
   std::error_code fault;
   if (!fs::exists(path, fault)) return std::nullopt;
   const std::string text = read_file(path, "make it readable");
   const Bytes bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  const DecodedImage decoded = decode_png_colour(bytes, size, ColourMode::as_stored);
   constexpr const char* kHint = "give an 8-bit grey PNG of the image's size";
+  if (!is_png(bytes) || !image_size(bytes)) throw Error(path.string(), "is not a PNG", kHint);
+  const DecodedImage decoded = decode_png_colour(bytes, *image_size(bytes), ColourMode::as_stored);
   if (!decoded.problem.empty()) throw Error(path.string(), decoded.problem, kHint);
   if (decoded.image.channels() != 1) throw Error(path.string(), "is a colour image", kHint);
   return decoded.image;
@@ -112,15 +131,19 @@ std::optional<TruthMask> load_truth(const fs::path& folder, const SegmentImage& 
     return truth;
   }
   if (kind == TruthKind::masks && image.timestamp) {
-    MaskFileSegmenter masks(folder);
-    const cv::Mat mask = masks.segment({cv::Mat(size, CV_8UC1), *image.timestamp, 0});
-    return mask.empty() ? std::nullopt : std::optional(TruthMask{mask, {}});
+    const std::vector<MaskFile> masks = list_masks(folder);
+    const MaskFile* file = find_mask(masks, *image.timestamp, MaskFileSegmenter::kTolerance);
+    if (file == nullptr) return std::nullopt;
+    const cv::Mat mask = load_mask(*file, size_of(file->path).value_or(size));
+    return TruthMask{fit_truth(mask, size, file->path), {}};
   }
-  const auto stored = load_grey(folder / (image.name + ".png"), size);
+  const fs::path path = folder / (image.name + ".png");
+  auto stored = load_grey(path);
   if (!stored) return std::nullopt;
   constexpr double kDoubt = 255;
+  if (kind == TruthKind::labels) *stored = fit_truth(*stored, size, path);
   if (kind == TruthKind::labels) return TruthMask{(*stored != 0) & (*stored != kDoubt), *stored == kDoubt};
-  return TruthMask{load_mask({0, folder / (image.name + ".png"), 0}, size), {}};
+  return TruthMask{fit_truth(load_mask({0, path, 0}, stored->size()), size, path), {}};
 }
 
 }  // namespace stdc::app

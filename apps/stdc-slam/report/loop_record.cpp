@@ -34,8 +34,8 @@ nlohmann::ordered_json LoopRecord::to_json() const {
 std::string LoopRecord::text() const {
   if (correction_.empty()) return "";
   const double longest = *std::max_element(correction_.begin(), correction_.end());
-  return fmt::format("loops closed: {}, maps merged: {}; correction {:.0f} ms (median; longest: {:.0f})\n",
-                     loops(), merges(), quantiles(correction_).median, longest);
+  return fmt::format("loops closed: {}, maps merged: {}; correction {} ms (median; longest: {:.0f})\n",
+                     loops(), merges(), to_text(quantiles(correction_).median, 0), longest);
 }
 
 }  // namespace stdc::app

@@ -46,9 +46,9 @@ std::string point_cloud_ply(const Atlas& atlas) {
   return bytes;
 }
 
-Trajectory keyframes_of(const Atlas& atlas, int number) {
+Trajectory keyframes_of(const Atlas& atlas, MapId map) {
   Trajectory trajectory;
-  std::vector<KeyframeId> ids = atlas.keyframe_ids(number);
+  std::vector<KeyframeId> ids = atlas.keyframe_ids(map);
   std::stable_sort(ids.begin(), ids.end(), [&](KeyframeId a, KeyframeId b) {
     return atlas.keyframe(a).timestamp < atlas.keyframe(b).timestamp;
   });
@@ -64,8 +64,8 @@ Trajectory keyframes_of(const Atlas& atlas, int number) {
   return trajectory;
 }
 
-std::string file_of_map(const std::string& name, int number) {
-  return number == 0 ? name + ".txt" : fmt::format("{}-map-{}.txt", name, number);
+std::string file_of_map(const std::string& name, MapId map) {
+  return map == MapId{0} ? name + ".txt" : fmt::format("{}-map-{}.txt", name, map.value);
 }
 
 }  // namespace stdc::app

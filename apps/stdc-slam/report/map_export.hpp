@@ -14,9 +14,9 @@ std::string point_cloud_ply(const Atlas& atlas);
 
 /// The keyframes of one of the maps in order of time. Of those that have one time, because a sequence was
 /// mapped twice, the youngest.
-Trajectory keyframes_of(const Atlas& atlas, int number);
+Trajectory keyframes_of(const Atlas& atlas, MapId map);
 
 /// `name`.txt for the first of several maps, `name`-map-N.txt for the others.
-std::string file_of_map(const std::string& name, int number);
+std::string file_of_map(const std::string& name, MapId map);
 
 }  // namespace stdc::app

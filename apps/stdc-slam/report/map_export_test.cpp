@@ -76,13 +76,13 @@ TEST(PointCloud, OfNothingIsOneToo) {
 
 TEST(KeyframesOfAMap, AreInOrderOfTimeAndOfThatMapOnly) {
   const MappedScene mapped = make_maps();
-  const Trajectory second = keyframes_of(mapped.atlas, 1);
+  const Trajectory second = keyframes_of(mapped.atlas, {1});
   ASSERT_EQ(second.size(), 3U);
   EXPECT_EQ(second[0].timestamp, mapped.atlas.keyframe({3}).timestamp);
   EXPECT_LT(stdc::test::centre_error(second[2].world_from_cam.inverse(), mapped.views[5].cam_from_world),
             1e-12);
-  EXPECT_EQ(file_of_map("keyframes", 0), "keyframes.txt");
-  EXPECT_EQ(file_of_map("keyframes", 2), "keyframes-map-2.txt");
+  EXPECT_EQ(file_of_map("keyframes", {0}), "keyframes.txt");
+  EXPECT_EQ(file_of_map("keyframes", {2}), "keyframes-map-2.txt");
 }
 
 TEST(KeyframesOfAMap, OfASequenceMappedTwiceEachTimeStandsOnce) {
@@ -93,7 +93,7 @@ TEST(KeyframesOfAMap, OfASequenceMappedTwiceEachTimeStandsOnce) {
                                view.features,
                                measure_keypoints(mapped.scene.camera, view.motion, *view.features)});
   }
-  const Trajectory trajectory = keyframes_of(mapped.atlas, 0);
+  const Trajectory trajectory = keyframes_of(mapped.atlas, {0});
   ASSERT_EQ(trajectory.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(trajectory[i].timestamp, (std::array{1.0, 1.5, 2.0, 3.0}[i]));
   EXPECT_NEAR(trajectory[0].world_from_cam.translation.x(), 0.03, 1e-12) << "the youngest";

@@ -1,5 +1,7 @@
 #include "report/quantiles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,7 +19,15 @@ Quantiles quantiles(std::vector<double> values) {
 }
 
 nlohmann::ordered_json to_json(const Quantiles& q) {
-  return {{"median", q.median}, {"p95", q.p95}, {"p99", q.p99}};
+  return {{"median", to_json(q.median)}, {"p95", to_json(q.p95)}, {"p99", to_json(q.p99)}};
+}
+
+nlohmann::ordered_json to_json(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string to_text(const std::optional<double>& value, int decimals, double factor) {
+  return value ? fmt::format("{:.{}f}", factor * *value, decimals) : "-";
 }
 
 }  // namespace stdc::app

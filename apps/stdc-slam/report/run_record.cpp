@@ -188,16 +188,17 @@ std::string RunRecord::segmentation_text() const {
   if (lists.there) {
     const Quantiles time = quantiles(lists.segmentation), share = quantiles(lists.shares);
     text = fmt::format(
-        "segmentation {:.1f} ms a mask (median; 95 %: {:.1f}), masks {:.0f} frames old (median), dynamic "
-        "{:.0f} "
-        "% of the view (median; 95 %: {:.0f})\n",
-        time.median, time.p95, quantiles(lists.ages).median, 100 * share.median, 100 * share.p95);
+        "segmentation {} ms a mask (median; 95 %: {}), masks {} frames old (median), dynamic {} % of the "
+        "view "
+        "(median; 95 %: {})\n",
+        to_text(time.median, 1), to_text(time.p95, 1), to_text(quantiles(lists.ages).median, 0),
+        to_text(share.median, 0, 100), to_text(share.p95, 0, 100));
     if (lists.without_mask > 0) text += fmt::format("{} frames had no mask\n", lists.without_mask);
   }
   if (!lags_.empty()) {
     const Quantiles lag = quantiles(lags_);
-    text += fmt::format("in real time: {:.1f} ms from image to pose (median; 95 %: {:.1f}, 99 %: {:.1f})\n",
-                        lag.median, lag.p95, lag.p99);
+    text += fmt::format("in real time: {} ms from image to pose (median; 95 %: {}, 99 %: {})\n",
+                        to_text(lag.median, 1), to_text(lag.p95, 1), to_text(lag.p99, 1));
   }
   return text;
 }

@@ -16,7 +16,10 @@ TEST(Quantiles, AreMeasuredValues) {
   EXPECT_EQ(q.p95, 95);
   EXPECT_EQ(q.p99, 99);
   EXPECT_EQ(quantiles({7}).p99, 7);
-  EXPECT_EQ(quantiles({}).median, 0);
+  EXPECT_FALSE(quantiles({}).median) << "of nothing there is no median";
+  EXPECT_TRUE(to_json(quantiles({}))["p95"].is_null());
+  EXPECT_EQ(to_text(quantiles({}).p99, 1), "-");
+  EXPECT_EQ(to_text(0.125, 1, 100), "12.5");
 }
 
 TrackingResult result(int frame, TrackingStatus status, double extraction) {

@@ -99,10 +99,10 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   if (counts.initialising > 0) text += fmt::format(", {} initialising", counts.initialising);
   if (counts.skipped > 0) text += fmt::format(", {} skipped", counts.skipped);
   text += fmt::format("; {} keyframes, {} landmarks\n", summary.keyframes, summary.landmarks);
-  text += fmt::format(
-      "{:.1f} frames a second; tracking {:.1f} ms a frame (median; 95 %: {:.1f}, 99 %: {:.1f}; CPU: "
-      "{:.1f})\n",
-      frames_per_second(record), tracking.median, tracking.p95, tracking.p99, cpu.median);
+  text +=
+      fmt::format("{:.1f} frames a second; tracking {} ms a frame (median; 95 %: {}, 99 %: {}; CPU: {})\n",
+                  frames_per_second(record), to_text(tracking.median, 1), to_text(tracking.p95, 1),
+                  to_text(tracking.p99, 1), to_text(cpu.median, 1));
   if (summary.maps > 1) text += fmt::format("{} maps that were not joined\n", summary.maps);
   text += record.loops().text();
   text += record.segmentation_text();

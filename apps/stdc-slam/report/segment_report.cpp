@@ -8,8 +8,8 @@
 namespace stdc::app {
 namespace {
 
+/// Of at least one value.
 double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
   const auto last = static_cast<double>(values.size() - 1);
   return values[static_cast<std::size_t>(std::lround(share * last))];

@@ -102,7 +102,7 @@ bool run_sequence(const RunOptions& options) {
   settings.system.report_keypoints = options.debug_images.has_value();
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
-  const SequenceInput input(options.sequence, options.camera, options.frames);
+  const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
   auto segmenter =
       chosen_segmenter(options.segmentation, settings, options.sequence.string(), input.camera.rotation);
   OutputFolder output(options.output);

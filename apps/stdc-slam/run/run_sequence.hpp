@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> load_map, save_map;
   SettingsOptions settings;
   SegmentationOptions segmentation;
+  std::optional<double> rate;      ///< [Hz] takes the order of the lines for the time
   std::string frames;              ///< "A:B": frames A..B-1 of the sequence; either may be missing
   int debug_every = 10;            ///< a picture of every n-th frame
   bool localisation_only = false;  ///< leave the loaded map as it is

@@ -20,8 +20,8 @@ std::string name_of(const std::filesystem::path& folder) {
 
 SequenceInput::SequenceInput(const std::filesystem::path& folder,
                              const std::optional<std::filesystem::path>& camera_file,
-                             const std::string& range)
-    : sequence(folder), name(name_of(folder)), camera(find_camera(sequence, camera_file)) {
+                             const std::string& range, std::optional<double> rate)
+    : sequence(folder, rate), name(name_of(folder)), camera(find_camera(sequence, camera_file)) {
   if (sequence.has_ground_truth()) {
     truth_file = sequence.ground_truth();
     if (!truth_file->poses.empty()) truth = truth_file->poses;

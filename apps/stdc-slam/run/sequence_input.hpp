@@ -13,11 +13,12 @@ namespace stdc::app {
 
 /// A sequence made ready to run on.
 struct SequenceInput {
-  /// @param camera  camera file, if the sequence has none
+  /// @param camera  camera file; goes before that of the sequence
+  /// @param rate    [Hz] see TumSequence
   /// @param range   "A:B", frames A..B-1; either may be missing
   /// Throws Error for whatever is wrong with the lists, the camera or the range.
   SequenceInput(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& camera,
-                const std::string& range);
+                const std::string& range, std::optional<double> rate = {});
   SequenceInput(const SequenceInput&) = delete;
   SequenceInput& operator=(const SequenceInput&) = delete;
 

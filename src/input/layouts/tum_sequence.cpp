@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 constexpr double kMaxDifference = 0.02;  // [s] between colour and depth
 constexpr const char* kLayout = "give a folder in TUM RGB-D layout: rgb.txt, depth.txt and the images";
 
-std::vector<ImageListEntry> read_list(const fs::path& path) {
-  return parse_image_list(read_file(path, kLayout), path.string());
+std::vector<ImageListEntry> read_list(const fs::path& path, StampOrder order) {
+  return parse_image_list(read_file(path, kLayout), path.string(), order);
 }
 
 std::vector<double> times_of(const std::vector<ImageListEntry>& list) {
@@ -60,29 +60,54 @@ std::vector<std::string> names_of(const fs::path& folder) {
 
 }  // namespace
 
-TumSequence::TumSequence(const fs::path& folder) : folder_(folder) {
+TumSequence::TumSequence(const fs::path& folder, std::optional<double> rate) : folder_(folder), rate_(rate) {
   std::error_code ignored;
   if (!is_there(folder)) throw Error(folder.string(), "there is no such folder", kLayout);
   if (!fs::is_directory(folder, ignored)) throw Error(folder.string(), "is not a folder", kLayout);
-  const std::vector<ImageListEntry> colour = read_list(folder / "rgb.txt");
-  const std::vector<ImageListEntry> depth = read_list(folder / "depth.txt");
+  const StampOrder order = rate ? StampOrder::any : StampOrder::increasing;
+  const std::vector<ImageListEntry> colour = read_list(folder / "rgb.txt", order);
+  const std::vector<ImageListEntry> depth = read_list(folder / "depth.txt", order);
+  if (rate) {
+    pair_by_order(colour, depth, *rate);
+  } else {
+    pair_by_stamps(colour, depth);
+  }
+}
+
+void TumSequence::add(const ImageListEntry& colour, const ImageListEntry& depth) {
+  frames_.push_back({colour.timestamp, depth.timestamp, folder_ / colour.file, folder_ / depth.file,
+                     colour.line, depth.line});
+}
+
+void TumSequence::pair_by_stamps(const std::vector<ImageListEntry>& colour,
+                                 const std::vector<ImageListEntry>& depth) {
   const std::vector<double> colour_times = times_of(colour), depth_times = times_of(depth);
   const auto pairs = associate_times(colour_times, depth_times, kMaxDifference);
   if (pairs.empty()) {
     throw Error(
-        (folder / "depth.txt").string(),
+        (folder_ / "depth.txt").string(),
         fmt::format("no depth image lies within {:.0f} ms of a colour image (the nearest is {:.3f} s away)",
                     kMaxDifference * 1e3, min_difference(colour_times, depth_times)),
-        "make both lists with the same clock");
+        "make both lists with the same clock, or take the order of the lines for the time: --rate HZ");
   }
   frames_.reserve(pairs.size());
-  for (const auto& [c, d] : pairs) {
-    const ImageListEntry &c_entry = colour[static_cast<std::size_t>(c)],
-                         &d_entry = depth[static_cast<std::size_t>(d)];
-    frames_.push_back({c_entry.timestamp, d_entry.timestamp, folder / c_entry.file, folder / d_entry.file,
-                       c_entry.line, d_entry.line});
-  }
+  for (const auto& [c, d] : pairs)
+    add(colour[static_cast<std::size_t>(c)], depth[static_cast<std::size_t>(d)]);
   colour_without_depth_ = static_cast<int>(colour.size() - pairs.size());
+}
+
+void TumSequence::pair_by_order(const std::vector<ImageListEntry>& colour,
+                                const std::vector<ImageListEntry>& depth, double rate) {
+  if (colour.size() != depth.size()) {
+    throw Error((folder_ / "depth.txt").string(),
+                fmt::format("lists {} images and rgb.txt {}: with --rate line i of both is frame i",
+                            depth.size(), colour.size()),
+                "make the lists equally long");
+  }
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    add(colour[i], depth[i]);
+    frames_.back().timestamp = frames_.back().depth_timestamp = static_cast<double>(i) / rate;
+  }
 }
 
 bool TumSequence::has_ground_truth() const { return is_there(folder_ / "groundtruth.txt"); }

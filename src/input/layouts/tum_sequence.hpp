@@ -7,6 +7,7 @@
 
 #include "core/camera.hpp"
 #include "core/image_codec.hpp"
+#include "core/image_list.hpp"
 #include "core/rgbd_image.hpp"
 #include "input/ground_truth.hpp"
 
@@ -26,7 +27,10 @@ class TumSequence {
  public:
   /// Reads the lists and associates depth to colour: one to one, at most 20 ms apart, nearest pairs first.
   /// Throws Error for a missing folder or list, an empty or unordered one, bad numbers, no pair at all.
-  explicit TumSequence(const std::filesystem::path& folder);
+  /// @param rate  [Hz] takes the order of the lines for the time, in place of the stamps: line i of both
+  /// lists
+  ///              is frame i, at i / rate; they must be equally long
+  explicit TumSequence(const std::filesystem::path& folder, std::optional<double> rate = {});
 
   const std::filesystem::path& folder() const { return folder_; }
   const std::vector<SequenceFrame>& frames() const { return frames_; }
@@ -37,7 +41,13 @@ class TumSequence {
   GroundTruth ground_truth() const;
 
  private:
+  void pair_by_stamps(const std::vector<ImageListEntry>& colour, const std::vector<ImageListEntry>& depth);
+  void pair_by_order(const std::vector<ImageListEntry>& colour, const std::vector<ImageListEntry>& depth,
+                     double rate);
+  void add(const ImageListEntry& colour, const ImageListEntry& depth);
+
   std::filesystem::path folder_;
+  std::optional<double> rate_;
   std::vector<SequenceFrame> frames_;
   int colour_without_depth_ = 0;
 };

@@ -150,5 +150,24 @@ TEST(FindCamera, SaysHowToGiveOne) {
             std::string::npos);
 }
 
+TEST(TumSequence, ARateTakesTheOrderOfTheLinesForTheTime) {
+  const TestFolder folder;
+  folder.write("rgb.txt", std::string("0.033 b.png\n0.033 a.png\n0.033 c.png\n"));
+  folder.write("depth.txt", std::string("0 d0.png\n0 d1.png\n0 d2.png\n"));
+  const std::string message = message_of([&] { const TumSequence stamps(folder.path()); });
+  EXPECT_NE(message.find("rgb.txt:2: the timestamp 0.033000 is not later"), std::string::npos) << message;
+  EXPECT_NE(message.find("--rate HZ"), std::string::npos) << message;
+  const TumSequence sequence(folder.path(), 20);
+  ASSERT_EQ(sequence.frames().size(), 3U);
+  EXPECT_EQ(sequence.frames()[1].colour.filename(), "a.png");
+  EXPECT_EQ(sequence.frames()[1].depth.filename(), "d1.png");
+  EXPECT_DOUBLE_EQ(sequence.frames()[2].timestamp, 0.1);
+  folder.write("depth.txt", std::string("0 d0.png\n0 d1.png\n"));
+  EXPECT_NE(message_of([&] {
+              const TumSequence uneven(folder.path(), 20);
+            }).find("depth.txt: lists 2 images and rgb.txt 3: with --rate line i of both is frame i"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace stdc
