@@ -8,6 +8,7 @@ Layout: u64 little-endian length of the header, JSON header, then the data of al
 import json
 import os
 import struct
+import zlib
 
 import numpy as np
 
@@ -19,8 +20,7 @@ _TYPES = {name: dtype for dtype, name in _NAMES.items()}
 def write(path, tensors, metadata=None):
     """Write {name: array} and {string: string}; the file appears whole or not at all."""
     header, offset, chunks = {}, 0, []
-    if metadata:
-        header["__metadata__"] = dict(sorted(metadata.items()))
+    header["__metadata__"] = dict(sorted({**(metadata or {}), "crc32": "0" * 8}.items()))
     for name in sorted(tensors):
         array = np.ascontiguousarray(tensors[name])
         if array.dtype not in _NAMES:
@@ -32,12 +32,21 @@ def write(path, tensors, metadata=None):
         offset = end
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 8)
+    text = with_checksum(text, chunks)
     partial = f"{path}.partial"
     with open(partial, "wb") as file:
         file.write(struct.pack("<Q", len(text)))
         file.write(text)
         file.writelines(chunks)
     os.replace(partial, path)
+
+
+def with_checksum(header, chunks):
+    """The header with its entry "crc32": of the whole file, with zeros in place of the digits."""
+    checksum = zlib.crc32(struct.pack("<Q", len(header)) + header)
+    for chunk in chunks:
+        checksum = zlib.crc32(chunk, checksum)
+    return header.replace(b'"crc32":"00000000"', b'"crc32":"%08x"' % checksum, 1)
 
 
 def read(path):
@@ -51,6 +60,11 @@ def read(path):
         raise ValueError(f"{path}: the header of {length} bytes is longer than the file")
     header = json.loads(data[8:8 + length])
     metadata = header.pop("__metadata__", {})
+    written = metadata.pop("crc32", None)
+    if written is not None:
+        zeros = data[8:8 + length].replace(b'"crc32":"%s"' % written.encode(), b'"crc32":"00000000"', 1)
+        if with_checksum(zeros, [data[8 + length:]]) != data[8:8 + length]:
+            raise ValueError(f"{path}: the file is damaged (its checksum is wrong)")
     tensors = {}
     for name, entry in header.items():
         begin, end = entry["data_offsets"]

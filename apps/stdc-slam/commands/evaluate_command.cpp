@@ -7,6 +7,7 @@
 
 #include "commands/commands.hpp"
 #include "core/error.hpp"
+#include "evaluation/truth_convention.hpp"
 #include "input/ground_truth.hpp"
 #include "report/score_report.hpp"
 
@@ -38,9 +39,11 @@ void evaluate(const Options& options) {
   }
   const Trajectory truth = read_poses(options.truth);
   const Trajectory estimate = read_poses(options.estimate);
+  const TruthConvention convention = recognise_convention(truth, estimate);
+  if (!convention.usual()) fmt::print(stderr, "stdc-slam: {}: {}\n", options.truth, convention.note());
   TrajectoryScores scores;
   try {
-    scores = score_trajectory(truth, estimate, options.max_difference);
+    scores = score_trajectory(apply_convention(truth, convention), estimate, options.max_difference);
   } catch (const Error& error) {
     throw Error(options.estimate, error.problem(), error.hint());
   }

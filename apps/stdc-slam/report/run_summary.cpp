@@ -76,6 +76,7 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
   if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
   if (summary.truth) {
     json["groundtruth"] = {{"rows", summary.truth->rows},
+                           {"convention", summary.truth_convention.note()},
                            {"left_out", summary.truth->left_out()},
                            {"reasons",
                             {{"without_pose", summary.truth->without_pose},

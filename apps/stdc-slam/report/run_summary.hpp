@@ -4,6 +4,7 @@
 #include <string>
 
 #include "evaluation/trajectory_error.hpp"
+#include "evaluation/truth_convention.hpp"
 #include "input/ground_truth.hpp"
 #include "report/run_record.hpp"
 #include "run/process_usage.hpp"
@@ -23,6 +24,7 @@ struct RunSummary {
   ProcessUsage usage;
   std::optional<TrajectoryScores> scores;
   std::optional<GroundTruth> truth;  ///< for what was left out of it
+  TruthConvention truth_convention;  ///< how it had to be read
   std::string not_scored;            ///< why there are no scores though there is a ground truth
 };
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "segmentation/network/safetensors_checksum.hpp"
 
 static_assert(std::endian::native == std::endian::little, "safetensors files are little-endian");
 
@@ -209,6 +210,7 @@ void SafetensorsFile::read_header(std::uint64_t size) {
     }
   }
   check_places(name_, tensors_, size - data_begin_);
+  check_safetensors_checksum(*stream_, text, name_);
 }
 
 std::vector<float> SafetensorsFile::floats(const std::string& tensor) const {
