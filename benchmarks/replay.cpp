@@ -44,10 +44,12 @@ void Replay::begin_anew() {
 
 TrackedFrame Replay::extract() {
   const cv::Mat& grey = image().colour;
-  auto features = std::make_shared<FrameFeatures>(camera(), extractor_.extract(grey), image().depth,
-                                                  settings_.features.scale_factor,
-                                                  extractor_.levels(grey.size()), extractor_.pyramid().get());
-  return {camera(), static_cast<int>(next_), image().timestamp, std::move(features), extractor_.pyramid()};
+  Features raw = extractor_.extract(grey);
+  const auto pyramid = extractor_.pyramid();
+  auto features =
+      std::make_shared<FrameFeatures>(camera(), std::move(raw), image().depth,
+                                      settings_.features.scale_factor, pyramid->levels(), pyramid.get());
+  return {camera(), static_cast<int>(next_), image().timestamp, std::move(features), pyramid};
 }
 
 void Replay::look() {

@@ -161,7 +161,7 @@ void match_to_local_map(benchmark::State& state) {
     match_local_map(footage().camera, m.local_map, m.located, settings.local_map_radius, settings, all,
                     visible);
     matches += all.size();
-    landmarks += m.atlas.landmarks.size();
+    landmarks += m.local_map.landmarks.size();
   }
   count(state, "matches", matches);
   count(state, "landmarks", landmarks);
