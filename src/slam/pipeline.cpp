@@ -1,6 +1,7 @@
 #include "slam/pipeline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "atlas/map_file.hpp"
@@ -22,6 +23,9 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
     semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
                                                   settings.propagation, std::move(segmenter));
   }
+  if (settings.motion.method != MotionMethod::off) {
+    motion_ = std::make_unique<MotionThread>(camera, settings.motion, settings.propagation);
+  }
 }
 
 TrackingResult Pipeline::track(const RgbdImage& image) {
@@ -33,8 +37,10 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   TrackedFrame frame = extract(image, result);
   collect(result);
   result.status = locate(frame, result.milliseconds);
+  if (motion_) observe_motion(frame, result);
   extend_map(frame, result);
   describe(frame, result);
+  if (settings_.system.report_keypoints || settings_.system.report_masks) result.dynamic_mask = dynamic_mask();
   result.milliseconds.total = total.lap_ms();
   result.milliseconds.total_cpu = thread_cpu_ms() - cpu_start;
   return result;
@@ -58,8 +64,9 @@ TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
   if (semantics_) {
     semantics_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
   }
+  if (motion_) motion_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
   extractor_.detect(grey);
-  if (semantics_) reject_dynamic(result);
+  if (semantics_ || motion_) reject_dynamic(result);
   const auto pyramid = extractor_.pyramid();
   auto features =
       std::make_shared<FrameFeatures>(camera(), extractor_.select(), image.depth,
@@ -72,12 +79,20 @@ TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
 
 void Pipeline::reject_dynamic(TrackingResult& result) {
   Stopwatch watch;
-  DynamicMask dynamic = semantics_->finish();
+  cv::Mat mask;
+  segmented_.release();
+  if (semantics_) {
+    DynamicMask dynamic = semantics_->finish();
+    mask = segmented_ = dynamic.mask;
+    result.segmentation = std::move(dynamic.report);
+  }
+  if (motion_) {
+    const cv::Mat moving = motion_->expected();
+    if (!moving.empty()) mask = mask.empty() ? moving : cv::Mat(mask | moving);
+  }
   result.milliseconds.mask_wait = watch.lap_ms();
-  extractor_.reject(dynamic.mask);
+  if (!mask.empty()) extractor_.reject(mask);
   result.milliseconds.rejection = watch.lap_ms();
-  result.segmentation = std::move(dynamic.report);
-  if (settings_.system.report_keypoints) result.dynamic_mask = dynamic.mask;
 }
 
 /// The atlas comes back at the frame that was fixed when it was given away, or when tracking has been lost
@@ -129,6 +144,42 @@ TrackingStatus Pipeline::track_from_last(TrackedFrame& frame, StageTimes& times)
   return TrackingStatus::ok;
 }
 
+void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& result) {
+  MotionFrame observed;
+  observed.timestamp = frame.timestamp;
+  observed.motion = frame.motion;
+  observed.segmented = segmented_;
+  if (result.status == TrackingStatus::ok) {
+    observed.reference = local_map_.reference;
+    observed.frame_from_reference = frame.cam_from_world * local_map_.reference_from_world.inverse();
+    observed.map = active_map_;
+    observed.cam_from_world =
+        back_end_.snapshot().cam_from_world(observed.reference, observed.frame_from_reference);
+  }
+  observed_frame_ = frame.index;
+  motion_->observe(std::move(observed), back_end_.snapshot());
+}
+
+/// All that is known of what moves in the present frame, once the tracker is done with it.
+cv::Mat Pipeline::dynamic_mask() {
+  if (!motion_) return segmented_;
+  const cv::Mat& moving = motion_->found();
+  return segmented_.empty() ? moving : cv::Mat(segmented_ | moving);
+}
+
+/// Nothing that moves may enter the map.
+void Pipeline::mark_dynamic(TrackedFrame& frame) {
+  const cv::Mat& mask = motion_->found();
+  for (int i = 0; i < frame.features->size(); ++i) {
+    const Keypoint& keypoint = frame.features->keypoint(i);
+    const int x = std::clamp(static_cast<int>(std::lround(keypoint.x)), 0, mask.cols - 1);
+    const int y = std::clamp(static_cast<int>(std::lround(keypoint.y)), 0, mask.rows - 1);
+    if (mask.at<std::uint8_t>(y, x) == 0) continue;
+    frame.dynamic[i] = 1;
+    frame.landmarks[i] = {};
+  }
+}
+
 /// Makes the frame a keyframe if it should be one, gives the back end its next job, and notes the pose.
 void Pipeline::extend_map(TrackedFrame& frame, TrackingResult& result) {
   Stopwatch watch;
@@ -173,6 +224,7 @@ bool Pipeline::wants_keyframe(const TrackedFrame& frame) const {
 void Pipeline::make_keyframe(TrackedFrame& frame, MapId map) {
   Atlas& atlas = back_end_.atlas();
   tracker_.flush_counts(atlas);
+  if (motion_ && frame.index == observed_frame_) mark_dynamic(frame);
   const std::size_t first_landmark = atlas.landmark_id_limit();
   last_keyframe_ = insert_keyframe(atlas, sensor_, frame, settings_.tracking, map);
   last_keyframe_frame_ = frame.index;

@@ -9,6 +9,7 @@
 #include "core/camera.hpp"
 #include "features/extractor.hpp"
 #include "slam/back_end.hpp"
+#include "slam/motion_thread.hpp"
 #include "slam/relocaliser.hpp"
 #include "slam/semantic_thread.hpp"
 #include "slam/settings.hpp"
@@ -51,6 +52,9 @@ class Pipeline {
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
   void reject_dynamic(TrackingResult& result);
   void collect(TrackingResult& result);
+  void observe_motion(const TrackedFrame& frame, const TrackingResult& result);
+  void mark_dynamic(TrackedFrame& frame);
+  cv::Mat dynamic_mask();
   void follow_atlas();
   TrackingStatus locate(TrackedFrame& frame, StageTimes& times);
   TrackingStatus track_from_last(TrackedFrame& frame, StageTimes& times);
@@ -67,10 +71,13 @@ class Pipeline {
   SensorModel sensor_;
   Settings settings_;
   FeatureExtractor extractor_;
-  std::unique_ptr<SemanticThread> semantics_;  ///< null: everything counts as static
+  std::unique_ptr<SemanticThread> semantics_;  ///< null: nothing is segmented
+  std::unique_ptr<MotionThread> motion_;       ///< null: what moves is not looked for
   Tracker tracker_;
   Relocaliser relocaliser_;
   LocalMap local_map_;
+  cv::Mat segmented_;  ///< the present frame's mask of the segmenter; empty: none
+  int observed_frame_ = -1;  ///< the last one whose motion was looked for
   int next_frame_ = 0;
   std::optional<double> last_time_;
   int last_keyframe_frame_ = -1;

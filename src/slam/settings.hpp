@@ -8,6 +8,7 @@
 #include "features/feature_settings.hpp"
 #include "loop_closing/loop_settings.hpp"
 #include "mapping/mapping_settings.hpp"
+#include "motion/motion_settings.hpp"
 #include "place_recognition/place_recognition_settings.hpp"
 #include "segmentation/mask_degradation.hpp"
 #include "segmentation/network/network_settings.hpp"
@@ -27,6 +28,7 @@ struct SystemSettings {
                "A loop's correction runs beside tracking and takes effect this many frames later");
   STDC_SETTING(bool, localisation_only, false, "Track in the loaded map and leave it unchanged");
   STDC_SETTING(bool, report_keypoints, false, "Return every frame's keypoints, for drawing");
+  STDC_SETTING(bool, report_masks, false, "Return every frame's mask of what moves, waiting for it");
 };
 
 /// All settings, by section. One YAML file mirrors them: see settings_io.hpp.
@@ -36,6 +38,7 @@ struct Settings {
   STDC_SECTION(NetworkSettings, network, {});
   STDC_SECTION(RefinementSettings, refinement, {});
   STDC_SECTION(PropagationSettings, propagation, {});
+  STDC_SECTION(MotionSettings, motion, {});
   STDC_SECTION(MaskDegradationSettings, mask_degradation, {});
   STDC_SECTION(NoiseSettings, noise, {});
   STDC_SECTION(TrackingSettings, tracking, {});

@@ -69,7 +69,8 @@ struct TrackingResult {
   std::optional<SegmentationReport> segmentation;  ///< if there is a segmenter
   std::vector<Keypoint> keypoints;                 ///< raw pixels; filled if SystemSettings.report_keypoints
   std::vector<KeypointState> keypoint_states;      ///< same length
-  cv::Mat dynamic_mask;  ///< CV_8UC1, 255 = dynamic, or empty; filled like the keypoints
+  cv::Mat dynamic_mask;  ///< CV_8UC1, 255 = dynamic, or empty; filled if SystemSettings.report_masks or
+                         ///< report_keypoints
 };
 
 /// A pose of the trajectory.

@@ -21,6 +21,7 @@ struct TrackedFrame {
   std::vector<Measurement> measurements;   ///< per keypoint
   std::vector<LandmarkId> landmarks;       ///< per keypoint; invalid: none
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
+  std::vector<std::uint8_t> dynamic;  ///< per keypoint: 1 if it lies on something that moves
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation
                     ///< with the local map
   int inliers = 0;  ///< landmarks that agree with the pose in the end
@@ -38,6 +39,7 @@ struct TrackedFrame {
     measurements = measure_keypoints(camera, motion, *features);
     landmarks.resize(features->size());
     outlier.resize(features->size(), 0);
+    dynamic.resize(features->size(), 0);
   }
   /// Takes another motion out of the measurements. `twist`: of cam_from_world, per second.
   void set_motion(const Camera& camera, const Vector6d& twist) {

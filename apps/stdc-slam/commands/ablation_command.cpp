@@ -42,12 +42,12 @@ struct Options {
 };
 
 Settings column_settings(const Options& options, const Column& column, SegmentationOptions& segmentation) {
-  const Settings settings = chosen_settings({column.settings, "", {}});
+  const Settings settings = chosen_settings({column.settings, "", "", {}});
   if (settings.segmentation.source != SegmentationSource::off) {
     segmentation.source = options.masks_from;
     segmentation.weights = options.weights;
   }
-  return chosen_settings({column.settings, "", options.assignments}, segmentation);
+  return chosen_settings({column.settings, "", "", options.assignments}, segmentation);
 }
 
 AblationCell run_column(const SequenceInput& input, const std::string& folder, const Options& options,
@@ -58,7 +58,7 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
   RunRecord record;
   track_frames(input,
                {colour_mode(settings), false, options.quiet, fmt::format("{}, {}", input.name, column.title)},
-               interrupts, slam, record, nullptr);
+               interrupts, slam, record);
   AblationCell cell;
   const Trajectory estimate = by_map(slam.trajectory(), {}).frames;
   cell.coverage = static_cast<double>(estimate.size()) / std::max(1, record.counts().total());

@@ -37,7 +37,8 @@ Examples:
   stdc-slam run my-sequence --output results --set features.keypoints=2000 --selection orb-slam3
   stdc-slam run my-sequence --output results --realtime --set segmentation.pace=asynchronous
   stdc-slam run stamps-made-by-hand --output results --rate 30
-  stdc-slam run empty-room --output results --segmentation off
+  stdc-slam run empty-room --output results --segmentation off --motion off
+  stdc-slam run my-sequence --output results --segmentation off --motion map --save-masks masks
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam run second-visit --output results --load-map office.map --save-map office.map
   stdc-slam run third-visit --output results --load-map office.map --localisation-only
@@ -48,6 +49,7 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("--output,-o", options.output, "Folder for the results; made if need be")->required();
   command.add_option("--camera", options.camera, "Camera file; goes before the camera of the sequence");
   add_settings_options(command, options.settings);
+  add_motion_option(command, options.settings);
   add_segmentation_options(command, options.segmentation);
   command.add_option("--load-map", options.load_map, "Map of an earlier run to start from");
   command.add_option("--save-map", options.save_map, "File for the map; written when all went well");
@@ -66,6 +68,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
       ->capture_default_str()
       ->needs(debug_images);
+  command.add_option("--save-masks", options.save_masks,
+                     "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");

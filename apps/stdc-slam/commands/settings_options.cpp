@@ -18,6 +18,14 @@ void add_settings_options(CLI::App& command, SettingsOptions& options) {
       ->allow_extra_args(false);
 }
 
+void add_motion_option(CLI::App& command, SettingsOptions& options) {
+  command
+      .add_option("--motion", options.motion,
+                  "How moving things are found by geometry, with or without segmentation: map (default), "
+                  "multi-view, flow, or off")
+      ->type_name("off|flow|multi-view|map");
+}
+
 Settings chosen_settings(const SettingsOptions& options, const SegmentationOptions& segmentation) {
   Settings settings;
   if (const BuiltinSettings* builtin = find_builtin_settings(options.file)) {
@@ -26,6 +34,7 @@ Settings chosen_settings(const SettingsOptions& options, const SegmentationOptio
     read_settings(options.file, settings);
   }
   if (!options.selection.empty()) apply_setting("features.selection=" + options.selection, settings);
+  if (!options.motion.empty()) apply_setting("motion.method=" + options.motion, settings);
   apply_segmentation_options(segmentation, settings);
   for (const std::string& assignment : options.assignments) apply_setting(assignment, settings);
   settings.validate();

@@ -126,6 +126,7 @@ bool run_sequence(const RunOptions& options) {
   cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
   Settings settings = chosen_settings(options.settings, options.segmentation);
   settings.system.report_keypoints = options.debug_images.has_value();
+  settings.system.report_masks = options.save_masks.has_value();
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
@@ -136,12 +137,14 @@ bool run_sequence(const RunOptions& options) {
   check_place_for_map(options);
   std::optional<DebugImages> pictures;
   if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
+  std::optional<SavedMasks> masks;
+  if (options.save_masks) masks.emplace(*options.save_masks);
 
   RunRecord record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
   track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
-               pictures ? &*pictures : nullptr);
+               {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr});
   const RunTrajectories trajectories =
       by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
              slam.keyframe_trajectory());
@@ -153,6 +156,7 @@ bool run_sequence(const RunOptions& options) {
          summary.scores ? std::optional(summary.scores->truth_from_estimate) : std::nullopt});
     pictures->commit();
   }
+  if (masks) masks->commit();
   write_trajectories(trajectories, output);
   output.write("frames.csv", record.frames_csv());
   output.write("summary.json", summary_json(summary, record, settings));
@@ -164,6 +168,7 @@ bool run_sequence(const RunOptions& options) {
   if (options.quiet) return found;
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
   if (saves_map) fmt::print("map: {}\n", options.save_map->string());
+  if (masks) fmt::print("masks: {}\n", options.save_masks->string());
   if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());
   return found;
 }

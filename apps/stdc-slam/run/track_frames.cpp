@@ -65,7 +65,7 @@ class Pacer {
 }  // namespace
 
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
-                  Slam& slam, RunRecord& record, DebugImages* pictures) {
+                  Slam& slam, RunRecord& record, const FrameOutputs& outputs) {
   FrameLoader loader(input.frames, input.camera, options.colour);
   Progress progress(options.label, "frames", static_cast<int>(input.frames.size()), options.quiet);
   FaultReport faults(progress);
@@ -83,7 +83,10 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
       faults.add(number, result.segmentation->problem, "has no mask of its own");
     }
     if (frame->index == 0) record.set_start_up_seconds(process_usage().wall_seconds);
-    if (pictures != nullptr && frame->image) pictures->add_frame(frame->image->colour, number, result);
+    if (outputs.pictures != nullptr && frame->image) {
+      outputs.pictures->add_frame(frame->image->colour, number, result);
+    }
+    if (outputs.masks != nullptr) outputs.masks->add_frame(result);
     if (interrupts.interrupted()) {
       // Said here, because the signal ends the program as soon as the watch is gone.
       progress.message(fmt::format("stdc-slam: interrupted after {} of {} frames; nothing was written",

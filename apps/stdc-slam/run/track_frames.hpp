@@ -6,6 +6,7 @@
 #include "report/debug_images.hpp"
 #include "report/run_record.hpp"
 #include "run/interrupt_watch.hpp"
+#include "run/saved_masks.hpp"
 #include "run/sequence_input.hpp"
 #include "slam/slam.hpp"
 
@@ -18,10 +19,15 @@ struct TrackOptions {
   std::string label = "tracking";  ///< of the progress line
 };
 
+/// What is kept of each frame beside the record; null: not.
+struct FrameOutputs {
+  DebugImages* pictures = nullptr;
+  SavedMasks* masks = nullptr;
+};
+
 /// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and
 /// survived. Throws Error if the first one cannot be read, or if the program is interrupted.
-/// @param pictures  null: none are made
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
-                  Slam& slam, RunRecord& record, DebugImages* pictures);
+                  Slam& slam, RunRecord& record, const FrameOutputs& outputs = {});
 
 }  // namespace stdc::app

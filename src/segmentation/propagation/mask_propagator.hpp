@@ -63,6 +63,8 @@ class MaskPropagator {
   /// The mask of the newest frame: CV_8UC1, 255 = dynamic; empty if there is none. The mask as it was given
   /// if it is that frame's own.
   cv::Mat mask() const;
+  /// The parts of the mask where the newest frame has them.
+  const std::vector<MaskTile>& tiles() const { return tiles_; }
   /// Frames from the mask's own to the newest.
   int age() const;
 

@@ -1,0 +1,14 @@
+#include "run/saved_masks.hpp"
+
+#include <fmt/format.h>
+
+#include "core/image_codec.hpp"
+
+namespace stdc::app {
+
+void SavedMasks::add_frame(const TrackingResult& result) {
+  if (result.dynamic_mask.empty()) return;
+  folder_.write(fmt::format("{:.6f}.png", result.timestamp), encode_png(result.dynamic_mask));
+}
+
+}  // namespace stdc::app

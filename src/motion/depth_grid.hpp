@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/camera.hpp"
+#include "core/camera_motion.hpp"
+
+namespace stdc {
+
+/// Where the cells of a depth grid look: about 160 x 120 rays of a camera without distortion.
+/// The geometry of frames is compared on such grids, so that lenses and rolling shutters matter only when a
+/// grid is sampled.
+class GridGeometry {
+ public:
+  explicit GridGeometry(const Camera& camera);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int size() const { return width_ * height_; }
+  int scale() const { return scale_; }  ///< side of a cell [raw px], about
+  float focal_x() const { return focal_x_; }
+  float focal_y() const { return focal_y_; }
+  float centre_x() const { return centre_x_; }
+  float centre_y() const { return centre_y_; }
+  /// x / z of a column and y / z of a row.
+  float ray_x(int column) const { return rays_x_[static_cast<std::size_t>(column)]; }
+  float ray_y(int row) const { return rays_y_[static_cast<std::size_t>(row)]; }
+  /// Raw pixel at the middle of each cell; outside of the image where the lens shows nothing there.
+  const std::vector<Eigen::Vector2f>& raw_pixels() const { return raw_pixels_; }
+  /// Cell that a square of `scale` raw pixels lies in, of all squares row by row; -1: none.
+  const std::vector<int>& cell_of_square() const { return cell_of_square_; }
+
+ private:
+  int width_, height_, scale_;
+  float focal_x_, focal_y_, centre_x_, centre_y_;
+  std::vector<float> rays_x_, rays_y_;
+  std::vector<Eigen::Vector2f> raw_pixels_;
+  std::vector<int> cell_of_square_;
+};
+
+/// Depth of the cells [m], row by row; 0: missing. `near` and `far`: least and greatest of a cell and the
+/// eight around it, where the cell itself has a depth.
+struct DepthGrid {
+  std::vector<float> depth, near, far;
+
+  void find_extremes(int width, int height);
+};
+
+/// Samples a depth image: the middle one of five depths in each cell. The rotation of the camera while a
+/// rolling shutter read the image is taken out.
+/// @param depth  CV_16UC1 or CV_32FC1, as in RgbdImage
+DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const CameraMotion& motion,
+                      const cv::Mat& depth);
+
+}  // namespace stdc

@@ -1,0 +1,144 @@
+#include "motion/map_motion.hpp"
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+
+#include "segmentation/propagation/mask_settling.hpp"
+#include "segmentation/propagation/tile_map.hpp"
+
+namespace stdc {
+
+MapMotion::MapMotion(const Camera& camera, const MotionSettings& settings)
+    : camera_(camera),
+      settings_(settings),
+      geometry_(camera),
+      scene_(geometry_, settings_),
+      belief_(geometry_, settings_) {
+  check_ranges("motion", settings_);
+}
+
+MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<MaskTile>& tiles) {
+  MotionReport report;
+  depth_ = input.depth;
+  SceneFrame frame;
+  frame.number = input.number;
+  frame.timestamp = input.timestamp;
+  frame.reference = input.reference;
+  frame.frame_from_reference = input.frame_from_reference;
+  frame.map = input.map;
+  frame.grid = sample_grid(geometry_, camera_, input.motion, input.depth);
+  if (input.cam_from_world) {
+    frame.cam_from_world = *input.cam_from_world;
+  } else if (last_) {
+    frame.cam_from_world = last_->cam_from_world;
+  }
+  if (last_) {
+    belief_.carry(last_->grid, frame.grid, last_->cam_from_world * frame.cam_from_world.inverse(),
+                  sources(tiles));
+  } else {
+    belief_.reset();
+  }
+  std::vector<std::uint8_t> segmented(frame.grid.depth.size(), 0);
+  if (!input.segmented.empty()) segmented = shrink_mask(input.segmented);
+  if (input.cam_from_world) {
+    scene_.choose(frame);
+    const std::vector<std::uint8_t> findings = scene_.compare(frame);
+    int agree = 0, differ = 0, with_depth = 0;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      with_depth += frame.grid.depth[i] > 0 ? 1 : 0;
+      if (!belief_.log_odds().empty() && belief_.moves(i)) continue;
+      agree += (findings[i] & kRests) != 0 ? 1 : 0;
+      differ += (findings[i] & kRests) == 0 && (findings[i] & kNew) != 0 ? 1 : 0;
+    }
+    report.agreement = agree + differ > 0 ? static_cast<double>(agree) / (agree + differ) : 1;
+    report.known = with_depth > 0 ? static_cast<double>(agree + differ) / with_depth : 0;
+    belief_.add(findings);
+    belief_.add_opinion(segmented, 2);
+    belief_.smooth(frame.grid);
+    scene_.learn(frame);
+    remember(frame, findings, segmented);
+  } else {
+    belief_.add_opinion(segmented, 2);
+    belief_.smooth(frame.grid);
+  }
+  int dynamic = 0;
+  for (std::size_t i = 0; i < frame.grid.depth.size(); ++i) dynamic += belief_.moves(i) ? 1 : 0;
+  report.dynamic_share = static_cast<double>(dynamic) / geometry_.size();
+  last_ = std::move(frame);
+  return report;
+}
+
+/// A view is worth its memory if it shows what no other has, or if the others are old.
+void MapMotion::remember(const SceneFrame& frame, const std::vector<std::uint8_t>& findings,
+                         const std::vector<std::uint8_t>& segmented) {
+  constexpr double kMinGap = 0.4, kMaxGap = 3;  // [s]
+  constexpr double kUnknown = 0.06;
+  const double gap = scene_.empty() ? kMaxGap : frame.timestamp - scene_.views().back().timestamp;
+  int unknown = 0, with_depth = 0;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    if (frame.grid.depth[i] == 0) continue;
+    ++with_depth;
+    unknown += (findings[i] & (kRests | kSeenOnce)) == 0 ? 1 : 0;
+  }
+  const bool shows_more = unknown > kUnknown * with_depth;
+  if (!scene_.empty() && !(shows_more && gap >= kMinGap)) return;
+  std::vector<std::uint8_t> presumed(findings.size());
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    presumed[i] = !belief_.moves(i) && segmented[i] == 0 ? 1 : 0;
+  }
+  scene_.add(frame, presumed);
+}
+
+/// Where the tiles of what moved in the last frame have gone, as the cell that each cell now would have come
+/// from.
+std::vector<int> MapMotion::sources(const std::vector<MaskTile>& tiles) const {
+  std::vector<int> source(static_cast<std::size_t>(geometry_.size()), -1);
+  if (tiles.empty()) return source;
+  SmallFrame small;
+  small.scale = geometry_.scale();
+  small.levels[0].resize(geometry_.width(), geometry_.height());
+  const TileMap map(tiles, small);
+  const std::vector<int>& cells = geometry_.cell_of_square();
+  for (int y = 0; y < geometry_.height(); ++y) {
+    for (int x = 0; x < geometry_.width(); ++x) {
+      const int cell = cells[static_cast<std::size_t>(y * geometry_.width() + x)];
+      const MaskTile* tile = cell < 0 ? nullptr : map.at(x, y);
+      if (tile == nullptr) continue;
+      const int u = x - static_cast<int>(std::lround(tile->shift.x()));
+      const int v = y - static_cast<int>(std::lround(tile->shift.y()));
+      if (u < 0 || v < 0 || u >= geometry_.width() || v >= geometry_.height()) continue;
+      source[static_cast<std::size_t>(cell)] = cells[static_cast<std::size_t>(v * geometry_.width() + u)];
+    }
+  }
+  return source;
+}
+
+/// Of each cell whether the middle of it is in a mask.
+std::vector<std::uint8_t> MapMotion::shrink_mask(const cv::Mat& mask) const {
+  std::vector<std::uint8_t> cells(static_cast<std::size_t>(geometry_.size()), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Eigen::Vector2f& raw = geometry_.raw_pixels()[i];
+    const int x = static_cast<int>(std::lround(raw.x())), y = static_cast<int>(std::lround(raw.y()));
+    if (x >= 0 && y >= 0 && x < mask.cols && y < mask.rows) cells[i] = mask.at<std::uint8_t>(y, x);
+  }
+  return cells;
+}
+
+cv::Mat MapMotion::mask() const {
+  cv::Mat mask(camera_.height, camera_.width, CV_8UC1, cv::Scalar(0));
+  bool any = false;
+  const std::vector<int>& cells = geometry_.cell_of_square();
+  const int scale = geometry_.scale();
+  for (int y = 0; y < geometry_.height(); ++y) {
+    for (int x = 0; x < geometry_.width(); ++x) {
+      const int cell = cells[static_cast<std::size_t>(y * geometry_.width() + x)];
+      if (cell < 0 || !belief_.moves(static_cast<std::size_t>(cell))) continue;
+      mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
+      any = true;
+    }
+  }
+  if (!any || depth_.empty()) return mask;
+  return settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
+}
+
+}  // namespace stdc

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "atlas/atlas_snapshot.hpp"
+#include "core/camera.hpp"
+#include "motion/motion_belief.hpp"
+#include "motion/motion_settings.hpp"
+#include "motion/static_scene.hpp"
+#include "segmentation/propagation/mask_tiles.hpp"
+
+namespace stdc {
+
+/// What is needed of a frame to find what moves in it.
+struct MotionFrame {
+  int number = 0;
+  double timestamp = 0;  ///< [s]
+  cv::Mat depth;         ///< as in RgbdImage; empty: none
+  CameraMotion motion;
+  std::optional<Pose> cam_from_world;  ///< nothing: the frame has no pose
+  KeyframeId reference;                ///< if there is a pose: the keyframe it was tracked from...
+  Pose frame_from_reference;           ///< ...and where it is relative to that
+  MapId map;
+  cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
+};
+
+/// How well a frame's depth agrees with what is known.
+struct MotionReport {
+  double agreement = 1;      ///< share of the cells that something is known about which rest where they were
+  double known = 0;          ///< share of the cells with depth that something is known about
+  double dynamic_share = 0;  ///< of the cells
+};
+
+/// Motion method `map`: what is known of the static scene is compared with what is seen. A surface that
+/// stands where free space was seen moves until it has proved to rest.
+class MapMotion {
+ public:
+  MapMotion(const Camera& camera, const MotionSettings& settings);
+
+  /// Keyframes may have moved.
+  void follow(const AtlasSnapshot& snapshot) { scene_.follow(snapshot); }
+  /// The next frame.
+  /// @param tiles  where the dynamic parts of the last frame are now; see MaskPropagator
+  MotionReport observe(const MotionFrame& frame, const std::vector<MaskTile>& tiles);
+  /// What moves in the frame: CV_8UC1 of the camera's size, 255 = dynamic.
+  cv::Mat mask() const;
+
+  const MotionBelief& belief() const { return belief_; }
+
+ private:
+  std::vector<int> sources(const std::vector<MaskTile>& tiles) const;
+  std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
+  void remember(const SceneFrame& frame, const std::vector<std::uint8_t>& findings,
+                const std::vector<std::uint8_t>& segmented);
+
+  Camera camera_;
+  MotionSettings settings_;
+  GridGeometry geometry_;
+  StaticScene scene_;
+  MotionBelief belief_;
+  std::optional<SceneFrame> last_;
+  cv::Mat depth_;
+};
+
+}  // namespace stdc

@@ -1,0 +1,105 @@
+#include "motion/motion_belief.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stdc {
+namespace {
+
+constexpr float kMax = 4;  ///< log-odds; a surface that changes its mind must not take too long
+
+}  // namespace
+
+void MotionBelief::reset() { log_odds_.clear(); }
+
+void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose& last_from_now,
+                         const std::vector<int>& source) {
+  constexpr float kFade = 0.95F, kSameSurface = 0.05F, kSameSurfaceGrowth = 0.01F;
+  const std::vector<float> before = std::move(log_odds_);
+  log_odds_.assign(now.depth.size(), 0);
+  if (before.size() != log_odds_.size()) return;
+  const Eigen::Matrix3f rotation = last_from_now.rotation_matrix().cast<float>();
+  const Eigen::Vector3f translation = last_from_now.translation.cast<float>();
+  const int width = geometry_.width(), height = geometry_.height();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto cell = static_cast<std::size_t>(y * width + x);
+      const float depth = now.depth[cell];
+      const float assumed = depth > 0 ? depth : 3;
+      const Eigen::Vector3f point =
+          rotation * (assumed * Eigen::Vector3f(geometry_.ray_x(x), geometry_.ray_y(y), 1)) + translation;
+      float belief = 0;
+      if (point.z() > 0.1F) {
+        const int u =
+            static_cast<int>(std::lround(geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x()));
+        const int v =
+            static_cast<int>(std::lround(geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y()));
+        if (u >= 0 && v >= 0 && u < width && v < height) {
+          const auto from = static_cast<std::size_t>(v * width + u);
+          const float known = last.depth[from];
+          const float tolerated = kSameSurface + kSameSurfaceGrowth * point.z() * point.z();
+          if (depth == 0 || known == 0 || std::abs(known - point.z()) < tolerated) belief = before[from];
+        }
+      }
+      if (source[cell] >= 0) {
+        const auto from = static_cast<std::size_t>(source[cell]);
+        const float known = last.depth[from];
+        const bool fits = depth == 0 || known == 0 || std::abs(known - depth) < 0.2F;
+        if (fits) belief = std::max(belief, before[from]);
+      }
+      log_odds_[cell] = kFade * belief;
+    }
+  }
+}
+
+void MotionBelief::add(const std::vector<std::uint8_t>& findings) {
+  const auto weight = static_cast<float>(settings_.evidence);
+  if (log_odds_.size() != findings.size()) log_odds_.assign(findings.size(), 0);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const bool is_new = (findings[i] & kNew) != 0, rests = (findings[i] & kRests) != 0;
+    if (rests) {
+      log_odds_[i] -= is_new ? 0.5F * weight : weight;
+    } else if (is_new) {
+      log_odds_[i] += weight;
+    }
+  }
+}
+
+void MotionBelief::add_opinion(const std::vector<std::uint8_t>& dynamic, float weight) {
+  if (log_odds_.size() != dynamic.size()) log_odds_.assign(dynamic.size(), 0);
+  for (std::size_t i = 0; i < dynamic.size(); ++i) {
+    if (dynamic[i] != 0) log_odds_[i] += weight;
+  }
+}
+
+void MotionBelief::smooth(const DepthGrid& now) {
+  constexpr int kRounds = 3;
+  constexpr float kLink = 0.02F, kLinkGrowth = 0.02F, kBlind = 0.15F;
+  const int width = geometry_.width(), height = geometry_.height();
+  const std::vector<float> own = log_odds_;
+  std::vector<float> says(own.size());
+  const auto strength = static_cast<float>(settings_.smoothing);
+  for (int round = 0; round < kRounds; ++round) {
+    // A cheap sigmoid: x / (1 + |x|).
+    for (std::size_t i = 0; i < says.size(); ++i) says[i] = log_odds_[i] / (1 + std::abs(log_odds_[i]));
+    for (int y = 1; y + 1 < height; ++y) {
+      for (int x = 1; x + 1 < width; ++x) {
+        const int cell = y * width + x;
+        const float depth = now.depth[static_cast<std::size_t>(cell)];
+        const float reach = 1 / (kLink + kLinkGrowth * depth);
+        float sum = 0;
+        for (const int offset : {-width - 1, -width, -width + 1, -1, 1, width - 1, width, width + 1}) {
+          const auto other = static_cast<std::size_t>(cell + offset);
+          const float there = now.depth[other];
+          const float link =
+              depth == 0 || there == 0 ? kBlind : std::max(0.0F, 1 - std::abs(there - depth) * reach);
+          sum += link * says[other];
+        }
+        const auto i = static_cast<std::size_t>(cell);
+        log_odds_[i] = std::clamp(own[i] + strength * sum, -kMax, kMax);
+      }
+    }
+  }
+}
+
+}  // namespace stdc

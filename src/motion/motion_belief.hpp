@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "motion/depth_grid.hpp"
+#include "motion/motion_settings.hpp"
+#include "motion/static_scene.hpp"
+
+namespace stdc {
+
+/// For each cell of a frame how likely it is that what it shows moves: log-odds, above 0 rather than not. A
+/// Bayesian filter: carried from frame to frame with the surfaces, each finding adds to it, and cells on the
+/// same surface share what they know (mean-field steps on a grid whose links are cut at depth edges, as in
+/// Kraehenbuehl and Koltun, 'Efficient Inference in Fully Connected CRFs', NIPS 2011).
+class MotionBelief {
+ public:
+  MotionBelief(const GridGeometry& geometry, const MotionSettings& settings)
+      : geometry_(geometry), settings_(settings) {}
+
+  /// Carries the belief to the next frame: a cell takes over from the cell that saw its surface before.
+  /// @param last, now      the two grids
+  /// @param last_from_now  motion of the camera
+  /// @param source         of each cell: where a thing that moves would have come from, a cell of `last`; -1:
+  ///                       nothing moves there
+  void carry(const DepthGrid& last, const DepthGrid& now, const Pose& last_from_now,
+             const std::vector<int>& source);
+  /// Adds what was found about each cell.
+  void add(const std::vector<std::uint8_t>& findings);
+  /// Adds the opinion of a segmenter: `dynamic` of each cell 0 or not, `weight` log-odds.
+  void add_opinion(const std::vector<std::uint8_t>& dynamic, float weight);
+  /// Neighbours on the same surface share what they know.
+  void smooth(const DepthGrid& now);
+
+  /// Nothing is known.
+  void reset();
+  bool moves(std::size_t cell) const { return log_odds_[cell] > kThreshold; }
+  const std::vector<float>& log_odds() const { return log_odds_; }
+
+  static constexpr float kThreshold = 0.5F;
+
+ private:
+  const GridGeometry& geometry_;
+  MotionSettings settings_;
+  std::vector<float> log_odds_;
+};
+
+}  // namespace stdc

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "core/setting.hpp"
+
+namespace stdc {
+
+/// How moving things are found by geometry, with or without a segmenter.
+enum class MotionMethod {
+  off,
+  flow,        ///< optical flow against the motion of the static part, as PSPNet-SLAM and DS-SLAM do
+  multi_view,  ///< keypoints of keyframes projected into the frame, as DynaSLAM does
+  map,         ///< the depth that is known of the static scene against what is seen
+};
+
+template <>
+struct EnumNames<MotionMethod> {
+  static constexpr std::array values{
+      std::pair{MotionMethod::off, "off"}, std::pair{MotionMethod::flow, "flow"},
+      std::pair{MotionMethod::multi_view, "multi-view"}, std::pair{MotionMethod::map, "map"}};
+};
+
+/// Settings of the search for what moves.
+struct MotionSettings {
+  STDC_SETTING(MotionMethod, method, MotionMethod::map, "How moving things are found by geometry");
+  STDC_SETTING(double, depth_tolerance, 0.04, "m", 0.001, 1,
+               "map: depths that differ by less are the same surface...");
+  STDC_SETTING(double, depth_tolerance_growth, 0.012, "1/m", 0, 0.1, "...and by this times z^2 more");
+  STDC_SETTING(double, rest_time, 4, "s", 0.1, 600,
+               "map: a thing that appeared belongs to the static scene after resting for so long");
+  STDC_SETTING(int, views, 6, "count", 1, 32, "map: earlier views that a frame is compared with");
+  STDC_SETTING(int, max_views, 128, "count", 4, 4096, "map: earlier views kept");
+  STDC_SETTING(double, evidence, 1.2, "log-odds", 0.01, 10, "map: weight of one comparison of a cell");
+  STDC_SETTING(double, smoothing, 0.35, "log-odds", 0, 2,
+               "map: how strongly a cell believes its neighbours on the same surface");
+};
+
+}  // namespace stdc

@@ -1,0 +1,183 @@
+#include "motion/static_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stdc {
+namespace {
+
+/// A rigid transform in single precision and where the grid sees a point.
+struct GridProjection {
+  Eigen::Matrix3f rotation;
+  Eigen::Vector3f translation;
+  const GridGeometry& geometry;
+
+  GridProjection(const Pose& to_from_from, const GridGeometry& grid_geometry)
+      : rotation(to_from_from.rotation_matrix().cast<float>()),
+        translation(to_from_from.translation.cast<float>()),
+        geometry(grid_geometry) {}
+
+  /// Cell that sees the point at column, row and depth of the other grid, and its depth there; -1: none.
+  int cell(int column, int row, float depth, float& there) const {
+    const Eigen::Vector3f point =
+        rotation * Eigen::Vector3f(geometry.ray_x(column) * depth, geometry.ray_y(row) * depth, depth) +
+        translation;
+    constexpr float kMinDepth = 0.1F;
+    there = point.z();
+    if (!(there > kMinDepth)) return -1;
+    const float x = geometry.focal_x() * point.x() / there + geometry.centre_x() + 0.5F;
+    const float y = geometry.focal_y() * point.y() / there + geometry.centre_y() + 0.5F;
+    if (!(x >= 0 && y >= 0)) return -1;
+    const int u = static_cast<int>(x), v = static_cast<int>(y);
+    return u < geometry.width() && v < geometry.height() ? v * geometry.width() + u : -1;
+  }
+};
+
+/// Calls visit(cell, column, row) for every `step`-th cell both ways.
+template <typename Visit>
+void for_cells(const GridGeometry& geometry, int step, Visit&& visit) {
+  for (int y = step / 2; y < geometry.height(); y += step) {
+    for (int x = step / 2; x < geometry.width(); x += step) visit(y * geometry.width() + x, x, y);
+  }
+}
+
+}  // namespace
+
+void StaticScene::follow(const AtlasSnapshot& snapshot) {
+  for (SceneView& view : views_) {
+    view.view_from_world = snapshot.cam_from_world(view.reference, view.view_from_reference);
+    view.map = snapshot.keyframes()[view.reference.value].map;
+  }
+}
+
+/// Greedy: the next view is the one that knows most of the cells about which the chosen ones say least.
+void StaticScene::choose(const SceneFrame& frame) {
+  constexpr int kStep = 8;
+  chosen_.clear();
+  std::vector<int> samples;
+  std::vector<std::vector<int>> covers(views_.size());
+  for_cells(geometry_, kStep, [&](int cell, int, int) {
+    if (frame.grid.depth[static_cast<std::size_t>(cell)] > 0) samples.push_back(cell);
+  });
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    if (views_[i].map != frame.map) continue;
+    const GridProjection project(views_[i].view_from_world * frame.cam_from_world.inverse(), geometry_);
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      const float depth = frame.grid.depth[static_cast<std::size_t>(samples[s])];
+      float there = 0;
+      const int cell =
+          project.cell(samples[s] % geometry_.width(), samples[s] / geometry_.width(), depth, there);
+      if (cell < 0) continue;
+      const float known = views_[i].grid.far[static_cast<std::size_t>(cell)];
+      if (known > 0 && there < known + tolerance(known)) covers[i].push_back(static_cast<int>(s));
+    }
+  }
+  std::vector<float> weight(samples.size(), 1);
+  const auto wanted = static_cast<std::size_t>(settings_.views);
+  while (chosen_.size() < wanted) {
+    float best = 0.05F * static_cast<float>(samples.size());
+    std::size_t next = views_.size();
+    for (std::size_t i = views_.size(); i-- > 0;) {  // of equals the newest
+      float gain = 0;
+      for (const int s : covers[i]) gain += weight[static_cast<std::size_t>(s)];
+      if (gain <= best) continue;
+      best = gain;
+      next = i;
+    }
+    if (next == views_.size()) break;
+    chosen_.push_back(next);
+    for (const int s : covers[next]) weight[static_cast<std::size_t>(s)] *= 0.6F;
+    covers[next].clear();
+  }
+}
+
+std::vector<std::uint8_t> StaticScene::compare(const SceneFrame& frame) const {
+  std::vector<std::uint8_t> findings(frame.grid.depth.size(), 0);
+  const auto rest_time = static_cast<float>(settings_.rest_time);
+  for (const std::size_t index : chosen_) {
+    const SceneView& view = views_[index];
+    const GridProjection project(view.view_from_world * frame.cam_from_world.inverse(), geometry_);
+    for_cells(geometry_, 1, [&](int cell, int x, int y) {
+      const float depth = frame.grid.depth[static_cast<std::size_t>(cell)];
+      if (depth == 0) return;
+      float there = 0;
+      const int seen = project.cell(x, y, depth, there);
+      if (seen < 0) return;
+      const auto i = static_cast<std::size_t>(seen);
+      if (view.grid.near[i] == 0) return;
+      const float tolerated = tolerance(there);
+      if (there < view.grid.near[i] - tolerated) {
+        findings[static_cast<std::size_t>(cell)] |= kNew;
+      } else if (there < view.grid.far[i] + tolerated) {
+        findings[static_cast<std::size_t>(cell)] |= view.rest[i] >= rest_time ? kRests : kSeenOnce;
+      }
+    });
+  }
+  return findings;
+}
+
+void StaticScene::learn(const SceneFrame& frame) {
+  for (const std::size_t index : chosen_) learn_from(frame, views_[index]);
+}
+
+void StaticScene::learn_from(const SceneFrame& frame, SceneView& view) {
+  constexpr double kMaxStep = 0.2;  // [s] what lies between two comparisons was not seen
+  constexpr float kLoss = 1.0F, kReserve = 2.0F;  // [s]
+  const auto elapsed = static_cast<float>(std::min(frame.timestamp - view.checked, kMaxStep));
+  view.checked = frame.timestamp;
+  const float max_rest = static_cast<float>(settings_.rest_time) + kReserve;
+  const GridProjection project(frame.cam_from_world * view.view_from_world.inverse(), geometry_);
+  bool changed = false;
+  for_cells(geometry_, 1, [&](int cell, int x, int y) {
+    const auto i = static_cast<std::size_t>(cell);
+    const float depth = view.grid.depth[i];
+    if (depth == 0) return;
+    float there = 0;
+    const int seen = project.cell(x, y, depth, there);
+    if (seen < 0) return;
+    const float near = frame.grid.near[static_cast<std::size_t>(seen)];
+    if (near == 0) return;
+    const float tolerated = tolerance(there);
+    if (near > there + tolerated) {
+      view.rest[i] -= kLoss;
+      if (view.rest[i] >= 0) return;
+      view.grid.depth[i] = 0;
+      changed = true;
+    } else if (frame.grid.far[static_cast<std::size_t>(seen)] > there - tolerated) {
+      view.rest[i] = std::min(view.rest[i] + elapsed, max_rest);
+    }
+  });
+  if (changed) view.grid.find_extremes(geometry_.width(), geometry_.height());
+}
+
+void StaticScene::add(const SceneFrame& frame, const std::vector<std::uint8_t>& presumed) {
+  SceneView view;
+  view.frame = frame.number;
+  view.timestamp = view.checked = frame.timestamp;
+  view.reference = frame.reference;
+  view.view_from_reference = frame.frame_from_reference;
+  view.view_from_world = frame.cam_from_world;
+  view.map = frame.map;
+  view.grid = frame.grid;
+  view.rest.assign(frame.grid.depth.size(), 0);
+  for (std::size_t i = 0; i < view.rest.size(); ++i) {
+    if (presumed[i] != 0) view.rest[i] = static_cast<float>(settings_.rest_time);
+  }
+  views_.push_back(std::move(view));
+  if (views_.size() <= static_cast<std::size_t>(settings_.max_views)) return;
+  // The one that knows least goes, of equals the oldest; not one of the last few, which nothing has checked.
+  const std::size_t candidates = views_.size() - views_.size() / 8 - 1;
+  std::size_t least = 0;
+  std::ptrdiff_t fewest = -1;
+  for (std::size_t i = 0; i < candidates; ++i) {
+    const auto known = std::count_if(views_[i].rest.begin(), views_[i].rest.end(), [&](float rest) {
+      return rest >= static_cast<float>(settings_.rest_time);
+    });
+    if (fewest >= 0 && known >= fewest) continue;
+    fewest = known;
+    least = i;
+  }
+  views_.erase(views_.begin() + static_cast<std::ptrdiff_t>(least));
+}
+
+}  // namespace stdc

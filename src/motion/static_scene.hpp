@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "atlas/atlas_snapshot.hpp"
+#include "core/ids.hpp"
+#include "core/pose.hpp"
+#include "motion/depth_grid.hpp"
+#include "motion/motion_settings.hpp"
+
+namespace stdc {
+
+/// The depth of an earlier frame, and how sure it is that each surface in it rests.
+struct SceneView {
+  int frame = 0;
+  double timestamp = 0, checked = 0;  ///< [s] of the frame; of the last comparison with a later one
+  KeyframeId reference;               ///< it moves with this keyframe
+  Pose view_from_reference;
+  DepthGrid grid;
+  std::vector<float> rest;  ///< of each cell: time for which its surface has been seen at rest [s]
+  Pose view_from_world;     ///< as known now
+  MapId map;                ///< as known now
+};
+
+/// A frame that is compared with the earlier ones.
+struct SceneFrame {
+  int number = 0;
+  double timestamp = 0;
+  KeyframeId reference;
+  Pose frame_from_reference;
+  Pose cam_from_world;
+  MapId map;
+  DepthGrid grid;
+};
+
+/// What earlier views say about a cell of a frame.
+enum CellFinding : std::uint8_t {
+  kNew = 1,        ///< a view has seen through the place where its surface is
+  kRests = 2,      ///< a view knows the surface, and that it rests
+  kSeenOnce = 4,   ///< a view knows the surface, but it has not rested for long
+};
+
+/// What is known of the geometry of the static scene: depths of earlier frames, at most
+/// `MotionSettings.max_views`, which move with the keyframes they were seen from. A surface of a view is
+/// believed once it has rested for `rest_time`; one that appears where nothing stood before is on probation;
+/// one that a later frame looks through is taken out.
+///
+/// The test on free space is that of visibility-based change detection: every depth says that the ray up to
+/// it is empty (ideas: Palazzolo et al., 'ReFusion', IROS 2019; Yguel et al., 2008). Compared along the rays
+/// of the earlier view, it needs no limit on parallax.
+class StaticScene {
+ public:
+  StaticScene(const GridGeometry& geometry, const MotionSettings& settings)
+      : geometry_(geometry), settings_(settings) {}
+
+  /// Takes account of the keyframes' present poses.
+  void follow(const AtlasSnapshot& snapshot);
+  /// Chooses the views that tell most about a frame: for `compare` and `learn`.
+  void choose(const SceneFrame& frame);
+  /// CellFindings of each cell, or-ed; 0: nothing is known.
+  std::vector<std::uint8_t> compare(const SceneFrame& frame) const;
+  /// Surfaces of the chosen views that the frame sees again have rested longer; those it looks through go.
+  void learn(const SceneFrame& frame);
+  /// Remembers a frame.
+  /// @param presumed  of each cell: not 0 if it may be believed at once
+  void add(const SceneFrame& frame, const std::vector<std::uint8_t>& presumed);
+
+  bool empty() const { return views_.empty(); }
+  const std::vector<SceneView>& views() const { return views_; }
+  /// Differences of depth within this are noise [m].
+  float tolerance(float depth) const {
+    return static_cast<float>(settings_.depth_tolerance) +
+           static_cast<float>(settings_.depth_tolerance_growth) * depth * depth;
+  }
+
+ private:
+  struct Projection;
+  void learn_from(const SceneFrame& frame, SceneView& view);
+
+  const GridGeometry& geometry_;
+  MotionSettings settings_;
+  std::vector<SceneView> views_;  ///< by frame
+  std::vector<std::size_t> chosen_;
+};
+
+}  // namespace stdc

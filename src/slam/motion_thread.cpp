@@ -1,0 +1,52 @@
+#include "slam/motion_thread.hpp"
+
+#include <opencv2/core.hpp>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+
+namespace stdc {
+
+MotionThread::MotionThread(const Camera& camera, const MotionSettings& settings,
+                           const PropagationSettings& propagation)
+    : motion_(camera, settings), propagator_(camera, propagation) {}
+
+void MotionThread::begin(const RgbdImage& image, const cv::Mat& grey, int frame,
+                         const std::optional<Pose>& frame_from_last) {
+  worker_.wait();
+  // Compared with the map after the caller has the pose and perhaps other uses for its buffer.
+  depth_ = image.depth.empty() ? cv::Mat(grey.size(), CV_16UC1, cv::Scalar(0)) : image.depth.clone();
+  frame_ = frame;
+  worker_.start([this, grey, frame_from_last] {
+    Stopwatch watch;
+    propagator_.add_frame(frame_, grey, depth_, frame_from_last);
+    expected_ = propagator_.has_mask() ? propagator_.mask() : cv::Mat();
+    carrying_ms_ = watch.lap_ms();
+  });
+}
+
+cv::Mat MotionThread::expected() {
+  worker_.wait();
+  return expected_;
+}
+
+void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
+  worker_.wait();
+  motion_.follow(snapshot);
+  frame.number = frame_;
+  frame.depth = depth_;
+  worker_.start([this, frame = std::move(frame)] {
+    Stopwatch watch;
+    report_ = motion_.observe(frame, propagator_.tiles());
+    found_ = motion_.mask();
+    propagator_.set_mask(frame_, found_);
+    milliseconds_ = carrying_ms_ + watch.lap_ms();
+  });
+}
+
+const cv::Mat& MotionThread::found() {
+  worker_.wait();
+  return found_;
+}
+
+}  // namespace stdc

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+#include "core/camera.hpp"
+#include "core/rgbd_image.hpp"
+#include "motion/map_motion.hpp"
+#include "segmentation/propagation/mask_propagator.hpp"
+#include "slam/worker.hpp"
+
+namespace stdc {
+
+/// Finds what moves beside the tracker. What moved in the last frame is carried to the present one while its
+/// keypoints are detected; once the frame has a pose, its depth is compared with the map, beside whatever
+/// comes next.
+class MotionThread {
+ public:
+  MotionThread(const Camera& camera, const MotionSettings& settings, const PropagationSettings& propagation);
+
+  /// Starts carrying what moved in the last frame to this one.
+  void begin(const RgbdImage& image, const cv::Mat& grey, int frame,
+             const std::optional<Pose>& frame_from_last);
+  /// What is expected to move in the frame of the last begin(), waiting for it: CV_8UC1, 255 = dynamic; empty
+  /// if nothing is known.
+  cv::Mat expected();
+  /// Starts to find what does move in it.
+  /// @param frame  without its depth and number, which are known
+  void observe(MotionFrame frame, const AtlasSnapshot& snapshot);
+  /// What does, waiting for it; like expected().
+  const cv::Mat& found();
+  /// Of the last frame that was observed; call found() before.
+  const MotionReport& report() const { return report_; }
+  double milliseconds() const { return milliseconds_; }
+
+ private:
+  MapMotion motion_;
+  MaskPropagator propagator_;
+  cv::Mat depth_;
+  cv::Mat expected_, found_;
+  int frame_ = 0;
+  MotionReport report_;
+  double carrying_ms_ = 0, milliseconds_ = 0;
+  Worker worker_;  // last, so that it ends before what it works on
+};
+
+}  // namespace stdc
