@@ -19,10 +19,12 @@ float middle_depth(const cv::Mat& depth, int x, int y, int reach, float metres_p
     const int u = x + offset.x, v = y + offset.y;
     if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) continue;
     const float metres = metres_at(depth, u, v, metres_per_unit);
-    if (metres > 0) values[static_cast<std::size_t>(count++)] = metres;
+    if (!(metres > 0)) continue;
+    auto place = static_cast<std::size_t>(count++);  // sorted as they come
+    for (; place > 0 && values[place - 1] > metres; --place) values[place] = values[place - 1];
+    values[place] = metres;
   }
   if (count < 2) return 0;
-  std::sort(values.begin(), values.begin() + count);
   return values[static_cast<std::size_t>((count - 1) / 2)];
 }
 
