@@ -1,6 +1,9 @@
 #include "motion/map_motion.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <opencv2/core.hpp>
 
 #include "segmentation/propagation/mask_settling.hpp"
@@ -42,22 +45,34 @@ MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<Mask
   if (!input.segmented.empty()) segmented = shrink_mask(input.segmented);
   if (input.cam_from_world) {
     scene_.choose(frame);
-    const std::vector<std::uint8_t> findings = scene_.compare(frame);
+    std::vector<CellFinding> findings = scene_.compare(frame);
+    if (recent_.size() >= kLag) scene_.find_receding(recent_.front(), frame, findings);
     int agree = 0, differ = 0, with_depth = 0;
     for (std::size_t i = 0; i < findings.size(); ++i) {
       with_depth += frame.grid.depth[i] > 0 ? 1 : 0;
       if (!belief_.log_odds().empty() && belief_.moves(i)) continue;
-      agree += (findings[i] & kRests) != 0 ? 1 : 0;
-      differ += (findings[i] & kRests) == 0 && (findings[i] & kNew) != 0 ? 1 : 0;
+      agree += findings[i].seen ? 1 : 0;
+      differ += !findings[i].seen && findings[i].fresh > 0 ? 1 : 0;
     }
     report.agreement = agree + differ > 0 ? static_cast<double>(agree) / (agree + differ) : 1;
     report.known = with_depth > 0 ? static_cast<double>(agree + differ) / with_depth : 0;
     belief_.add(findings);
     belief_.add_opinion(segmented, 2);
     belief_.smooth(frame.grid);
+    if (std::getenv("MOTION_DEBUG")) {
+      FILE* f = std::fopen((std::string(std::getenv("MOTION_DEBUG")) + std::to_string(frame.number) + ".bin").c_str(), "wb");
+      for (std::size_t i = 0; i < findings.size(); ++i) {
+        float v[6] = {frame.grid.depth[i], float(findings[i].fresh), findings[i].known+(findings[i].recedes?10.f:0.f), findings[i].rest, belief_.log_odds()[i], static_cast<float>(scene_.views().size())};
+        std::fwrite(v, 4, 6, f);
+      }
+      std::fclose(f);
+    }
     scene_.learn(frame);
     remember(frame, findings, segmented);
+    recent_.push_back(frame);
+    if (recent_.size() > kLag) recent_.pop_front();
   } else {
+    recent_.clear();
     belief_.add_opinion(segmented, 2);
     belief_.smooth(frame.grid);
   }
@@ -69,7 +84,7 @@ MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<Mask
 }
 
 /// A view is worth its memory if it shows what no other has, or if the others are old.
-void MapMotion::remember(const SceneFrame& frame, const std::vector<std::uint8_t>& findings,
+void MapMotion::remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                          const std::vector<std::uint8_t>& segmented) {
   constexpr double kMinGap = 0.4, kMaxGap = 3;  // [s]
   constexpr double kUnknown = 0.06;
@@ -78,15 +93,17 @@ void MapMotion::remember(const SceneFrame& frame, const std::vector<std::uint8_t
   for (std::size_t i = 0; i < findings.size(); ++i) {
     if (frame.grid.depth[i] == 0) continue;
     ++with_depth;
-    unknown += (findings[i] & (kRests | kSeenOnce)) == 0 ? 1 : 0;
+    unknown += findings[i].seen ? 0 : 1;
   }
   const bool shows_more = unknown > kUnknown * with_depth;
   if (!scene_.empty() && !(shows_more && gap >= kMinGap)) return;
-  std::vector<std::uint8_t> presumed(findings.size());
+  std::vector<float> rest(findings.size());
+  std::vector<std::uint8_t> doubtful(findings.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    presumed[i] = !belief_.moves(i) && segmented[i] == 0 ? 1 : 0;
+    doubtful[i] = belief_.moves(i) || segmented[i] != 0 ? 1 : 0;
+    rest[i] = findings[i].rest;
   }
-  scene_.add(frame, presumed);
+  scene_.add(frame, std::move(rest), std::move(doubtful));
 }
 
 /// Where the tiles of what moved in the last frame have gone, as the cell that each cell now would have come

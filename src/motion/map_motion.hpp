@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
@@ -52,7 +53,7 @@ class MapMotion {
  private:
   std::vector<int> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
-  void remember(const SceneFrame& frame, const std::vector<std::uint8_t>& findings,
+  void remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                 const std::vector<std::uint8_t>& segmented);
 
   Camera camera_;
@@ -60,7 +61,9 @@ class MapMotion {
   GridGeometry geometry_;
   StaticScene scene_;
   MotionBelief belief_;
+  static constexpr std::size_t kLag = 5;  ///< [frames] between those compared for what recedes
   std::optional<SceneFrame> last_;
+  std::deque<SceneFrame> recent_;
   cv::Mat depth_;
 };
 

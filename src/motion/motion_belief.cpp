@@ -38,7 +38,10 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
           const auto from = static_cast<std::size_t>(v * width + u);
           const float known = last.depth[from];
           const float tolerated = kSameSurface + kSameSurfaceGrowth * point.z() * point.z();
-          if (depth == 0 || known == 0 || std::abs(known - point.z()) < tolerated) belief = before[from];
+          const bool same = depth != 0 && known != 0 && std::abs(known - point.z()) < tolerated;
+          // A hole, often in the shadow of what moves, tells nothing about what is seen in it afterwards.
+          belief = same ? before[from] : std::min(before[from], 0.0F);
+          if (depth != 0 && known != 0 && !same) belief = 0;
         }
       }
       if (source[cell] >= 0) {
@@ -52,15 +55,22 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
   }
 }
 
-void MotionBelief::add(const std::vector<std::uint8_t>& findings) {
+void MotionBelief::add(const std::vector<CellFinding>& findings) {
+  constexpr float kPresumed = -0.1F;  // what nobody has seen before mostly rests
   const auto weight = static_cast<float>(settings_.evidence);
+  const auto rest_time = static_cast<float>(settings_.rest_time);
   if (log_odds_.size() != findings.size()) log_odds_.assign(findings.size(), 0);
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    const bool is_new = (findings[i] & kNew) != 0, rests = (findings[i] & kRests) != 0;
-    if (rests) {
-      log_odds_[i] -= is_new ? 0.5F * weight : weight;
-    } else if (is_new) {
-      log_odds_[i] += weight;
+    const CellFinding& finding = findings[i];
+    const int views = finding.fresh + finding.known;
+    if (finding.recedes) log_odds_[i] += weight;
+    if (finding.seen && finding.rest >= rest_time) {
+      log_odds_[i] -= finding.fresh > finding.known ? 0.5F * weight : weight;
+    } else if (views > 0) {
+      const float vote = static_cast<float>(finding.fresh - finding.known) / static_cast<float>(views);
+      log_odds_[i] += vote > 0 ? weight * vote : 0.5F * weight * vote;
+    } else {
+      log_odds_[i] += kPresumed;
     }
   }
 }
@@ -73,33 +83,33 @@ void MotionBelief::add_opinion(const std::vector<std::uint8_t>& dynamic, float w
 }
 
 void MotionBelief::smooth(const DepthGrid& now) {
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 4;
   constexpr float kLink = 0.02F, kLinkGrowth = 0.02F, kBlind = 0.15F;
   const int width = geometry_.width(), height = geometry_.height();
-  const std::vector<float> own = log_odds_;
-  std::vector<float> says(own.size());
-  const auto strength = static_cast<float>(settings_.smoothing);
+  const auto share = static_cast<float>(settings_.smoothing);
+  std::vector<float> before(log_odds_.size());
   for (int round = 0; round < kRounds; ++round) {
-    // A cheap sigmoid: x / (1 + |x|).
-    for (std::size_t i = 0; i < says.size(); ++i) says[i] = log_odds_[i] / (1 + std::abs(log_odds_[i]));
+    before = log_odds_;
     for (int y = 1; y + 1 < height; ++y) {
       for (int x = 1; x + 1 < width; ++x) {
         const int cell = y * width + x;
         const float depth = now.depth[static_cast<std::size_t>(cell)];
         const float reach = 1 / (kLink + kLinkGrowth * depth);
-        float sum = 0;
+        float sum = 0, links = 0;
         for (const int offset : {-width - 1, -width, -width + 1, -1, 1, width - 1, width, width + 1}) {
           const auto other = static_cast<std::size_t>(cell + offset);
           const float there = now.depth[other];
           const float link =
               depth == 0 || there == 0 ? kBlind : std::max(0.0F, 1 - std::abs(there - depth) * reach);
-          sum += link * says[other];
+          sum += link * before[other];
+          links += link;
         }
         const auto i = static_cast<std::size_t>(cell);
-        log_odds_[i] = std::clamp(own[i] + strength * sum, -kMax, kMax);
+        if (links > 0.1F) log_odds_[i] += share * (sum / links - before[i]);
       }
     }
   }
+  for (float& value : log_odds_) value = std::clamp(value, -kMax, kMax);
 }
 
 }  // namespace stdc

@@ -11,8 +11,7 @@ namespace stdc {
 
 /// For each cell of a frame how likely it is that what it shows moves: log-odds, above 0 rather than not. A
 /// Bayesian filter: carried from frame to frame with the surfaces, each finding adds to it, and cells on the
-/// same surface share what they know (mean-field steps on a grid whose links are cut at depth edges, as in
-/// Kraehenbuehl and Koltun, 'Efficient Inference in Fully Connected CRFs', NIPS 2011).
+/// same surface share what they know (diffusion that stops at depth edges: Perona and Malik, PAMI 1990).
 class MotionBelief {
  public:
   MotionBelief(const GridGeometry& geometry, const MotionSettings& settings)
@@ -26,7 +25,7 @@ class MotionBelief {
   void carry(const DepthGrid& last, const DepthGrid& now, const Pose& last_from_now,
              const std::vector<int>& source);
   /// Adds what was found about each cell.
-  void add(const std::vector<std::uint8_t>& findings);
+  void add(const std::vector<CellFinding>& findings);
   /// Adds the opinion of a segmenter: `dynamic` of each cell 0 or not, `weight` log-odds.
   void add_opinion(const std::vector<std::uint8_t>& dynamic, float weight);
   /// Neighbours on the same surface share what they know.

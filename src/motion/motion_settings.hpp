@@ -33,8 +33,8 @@ struct MotionSettings {
   STDC_SETTING(int, views, 6, "count", 1, 32, "map: earlier views that a frame is compared with");
   STDC_SETTING(int, max_views, 128, "count", 4, 4096, "map: earlier views kept");
   STDC_SETTING(double, evidence, 1.2, "log-odds", 0.01, 10, "map: weight of one comparison of a cell");
-  STDC_SETTING(double, smoothing, 0.35, "log-odds", 0, 2,
-               "map: how strongly a cell believes its neighbours on the same surface");
+  STDC_SETTING(double, smoothing, 0.4, "ratio", 0, 1,
+               "map: share of a cell's belief that it takes from its neighbours on the same surface");
 };
 
 }  // namespace stdc

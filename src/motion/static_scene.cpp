@@ -91,9 +91,8 @@ void StaticScene::choose(const SceneFrame& frame) {
   }
 }
 
-std::vector<std::uint8_t> StaticScene::compare(const SceneFrame& frame) const {
-  std::vector<std::uint8_t> findings(frame.grid.depth.size(), 0);
-  const auto rest_time = static_cast<float>(settings_.rest_time);
+std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) const {
+  std::vector<CellFinding> findings(frame.grid.depth.size());
   for (const std::size_t index : chosen_) {
     const SceneView& view = views_[index];
     const GridProjection project(view.view_from_world * frame.cam_from_world.inverse(), geometry_);
@@ -106,14 +105,38 @@ std::vector<std::uint8_t> StaticScene::compare(const SceneFrame& frame) const {
       const auto i = static_cast<std::size_t>(seen);
       if (view.grid.near[i] == 0) return;
       const float tolerated = tolerance(there);
-      if (there < view.grid.near[i] - tolerated) {
-        findings[static_cast<std::size_t>(cell)] |= kNew;
-      } else if (there < view.grid.far[i] + tolerated) {
-        findings[static_cast<std::size_t>(cell)] |= view.rest[i] >= rest_time ? kRests : kSeenOnce;
+      CellFinding& finding = findings[static_cast<std::size_t>(cell)];
+      // At the outline of a thing the cell beside it may be the one that is seen there.
+      const float behind = there * frame.grid.far[static_cast<std::size_t>(cell)] / depth;
+      if (behind < view.grid.near[i] - tolerated) {
+        ++finding.fresh;
+      } else if (there > view.grid.near[i] - tolerated && there < view.grid.far[i] + tolerated) {
+        finding.seen = true;
+        finding.known += view.doubtful[i] == 0 ? 1 : 0;
+        finding.rest = std::max(finding.rest, view.rest[i]);
       }
     });
   }
   return findings;
+}
+
+void StaticScene::find_receding(const SceneFrame& earlier, const SceneFrame& frame,
+                                std::vector<CellFinding>& findings) const {
+  constexpr float kMaxStep = 0.4F;  // [m] what lies farther behind is another thing
+  const GridProjection project(frame.cam_from_world * earlier.cam_from_world.inverse(), geometry_);
+  for_cells(geometry_, 1, [&](int cell, int x, int y) {
+    const float depth = earlier.grid.depth[static_cast<std::size_t>(cell)];
+    if (depth == 0) return;
+    float there = 0;
+    const int seen = project.cell(x, y, depth, there);
+    if (seen < 0) return;
+    const auto i = static_cast<std::size_t>(seen);
+    // The other way round, too: at an outline the earlier frame must not have shown both.
+    const float behind = there * earlier.grid.far[static_cast<std::size_t>(cell)] / depth;
+    if (frame.grid.near[i] > behind + tolerance(there) && frame.grid.far[i] < there + kMaxStep) {
+      findings[i].recedes = true;
+    }
+  });
 }
 
 void StaticScene::learn(const SceneFrame& frame) {
@@ -150,7 +173,8 @@ void StaticScene::learn_from(const SceneFrame& frame, SceneView& view) {
   if (changed) view.grid.find_extremes(geometry_.width(), geometry_.height());
 }
 
-void StaticScene::add(const SceneFrame& frame, const std::vector<std::uint8_t>& presumed) {
+void StaticScene::add(const SceneFrame& frame, std::vector<float> rest,
+                      std::vector<std::uint8_t> doubtful) {
   SceneView view;
   view.frame = frame.number;
   view.timestamp = view.checked = frame.timestamp;
@@ -159,10 +183,8 @@ void StaticScene::add(const SceneFrame& frame, const std::vector<std::uint8_t>& 
   view.view_from_world = frame.cam_from_world;
   view.map = frame.map;
   view.grid = frame.grid;
-  view.rest.assign(frame.grid.depth.size(), 0);
-  for (std::size_t i = 0; i < view.rest.size(); ++i) {
-    if (presumed[i] != 0) view.rest[i] = static_cast<float>(settings_.rest_time);
-  }
+  view.rest = std::move(rest);
+  view.doubtful = std::move(doubtful);
   views_.push_back(std::move(view));
   if (views_.size() <= static_cast<std::size_t>(settings_.max_views)) return;
   // The one that knows least goes, of equals the oldest; not one of the last few, which nothing has checked.
@@ -170,8 +192,8 @@ void StaticScene::add(const SceneFrame& frame, const std::vector<std::uint8_t>& 
   std::size_t least = 0;
   std::ptrdiff_t fewest = -1;
   for (std::size_t i = 0; i < candidates; ++i) {
-    const auto known = std::count_if(views_[i].rest.begin(), views_[i].rest.end(), [&](float rest) {
-      return rest >= static_cast<float>(settings_.rest_time);
+    const auto known = std::count_if(views_[i].rest.begin(), views_[i].rest.end(), [&](float time) {
+      return time >= static_cast<float>(settings_.rest_time);
     });
     if (fewest >= 0 && known >= fewest) continue;
     fewest = known;

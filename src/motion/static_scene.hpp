@@ -19,6 +19,7 @@ struct SceneView {
   Pose view_from_reference;
   DepthGrid grid;
   std::vector<float> rest;  ///< of each cell: time for which its surface has been seen at rest [s]
+  std::vector<std::uint8_t> doubtful;  ///< of each cell: 1 if its surface was thought to move at that time
   Pose view_from_world;     ///< as known now
   MapId map;                ///< as known now
 };
@@ -35,10 +36,12 @@ struct SceneFrame {
 };
 
 /// What earlier views say about a cell of a frame.
-enum CellFinding : std::uint8_t {
-  kNew = 1,        ///< a view has seen through the place where its surface is
-  kRests = 2,      ///< a view knows the surface, and that it rests
-  kSeenOnce = 4,   ///< a view knows the surface, but it has not rested for long
+struct CellFinding {
+  std::uint8_t fresh = 0;  ///< views that have seen through the place where its surface is
+  std::uint8_t known = 0;  ///< views that know the surface and did not think that it moved
+  bool seen = false;       ///< a view knows the surface, whatever it thought
+  float rest = 0;          ///< the surface has rested so long [s]; the longest of all views
+  bool recedes = false;    ///< a moment ago there was a surface a little in front of it, which has gone
 };
 
 /// What is known of the geometry of the static scene: depths of earlier frames, at most
@@ -58,13 +61,16 @@ class StaticScene {
   void follow(const AtlasSnapshot& snapshot);
   /// Chooses the views that tell most about a frame: for `compare` and `learn`.
   void choose(const SceneFrame& frame);
-  /// CellFindings of each cell, or-ed; 0: nothing is known.
-  std::vector<std::uint8_t> compare(const SceneFrame& frame) const;
+  /// What the chosen views say about each cell.
+  std::vector<CellFinding> compare(const SceneFrame& frame) const;
+  /// Marks the cells whose surface recedes since an earlier frame: where it goes nobody has seen before, so
+  /// views cannot tell.
+  void find_receding(const SceneFrame& earlier, const SceneFrame& frame,
+                     std::vector<CellFinding>& findings) const;
   /// Surfaces of the chosen views that the frame sees again have rested longer; those it looks through go.
   void learn(const SceneFrame& frame);
-  /// Remembers a frame.
-  /// @param presumed  of each cell: not 0 if it may be believed at once
-  void add(const SceneFrame& frame, const std::vector<std::uint8_t>& presumed);
+  /// Remembers a frame. `rest`: how long each cell's surface has rested [s]; `doubtful`: see SceneView.
+  void add(const SceneFrame& frame, std::vector<float> rest, std::vector<std::uint8_t> doubtful);
 
   bool empty() const { return views_.empty(); }
   const std::vector<SceneView>& views() const { return views_; }
