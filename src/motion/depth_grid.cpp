@@ -99,13 +99,19 @@ GridGeometry::GridGeometry(const Camera& camera)
 }
 
 void DepthGrid::find_extremes(int width, int height) {
-  spread(depth, width, height, std::less<float>(), near);
-  spread(depth, width, height, std::greater<float>(), far);
+  near = far = depth;
+  for (int i = 0; i < reach; ++i) {
+    spread(std::vector<float>(near), width, height, std::less<float>(), near);
+    spread(std::vector<float>(far), width, height, std::greater<float>(), far);
+  }
 }
 
 DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const CameraMotion& motion,
-                      const cv::Mat& depth) {
+                      const cv::Mat& depth, double time_tolerance) {
+  constexpr int kMaxReach = 5;
   DepthGrid grid;
+  const double turned = motion.twist.tail<3>().norm() * time_tolerance;  // [rad]
+  grid.reach = std::min(1 + static_cast<int>(turned * static_cast<double>(geometry.focal_x())), kMaxReach);
   grid.depth.assign(static_cast<std::size_t>(geometry.size()), 0);
   const auto metres_per_unit = static_cast<float>(1 / camera.depth_units_per_metre);
   const Eigen::Vector3f rotation = motion.twist.tail<3>().cast<float>();

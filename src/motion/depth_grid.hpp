@@ -41,18 +41,21 @@ class GridGeometry {
   std::vector<int> cell_of_square_;
 };
 
-/// Depth of the cells [m], row by row; 0: missing. `near` and `far`: least and greatest of a cell and the
-/// eight around it, where the cell itself has a depth.
+/// Depth of the cells [m], row by row; 0: missing. `near` and `far`: min and max of a cell and those around
+/// it up to `reach` cells away, where the cell itself has a depth: a depth edge is known no better.
 struct DepthGrid {
   std::vector<float> depth, near, far;
+  int reach = 1;
 
   void find_extremes(int width, int height);
 };
 
 /// Samples a depth image: the middle one of five depths in each cell. The rotation of the camera while a
 /// rolling shutter read the image is taken out.
-/// @param depth  CV_16UC1 or CV_32FC1, as in RgbdImage
+/// @param depth           CV_16UC1 or CV_32FC1, as in RgbdImage
+/// @param time_tolerance  how far depth and pose may be apart in time [s]: widens `reach` while the camera
+///                        turns
 DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const CameraMotion& motion,
-                      const cv::Mat& depth);
+                      const cv::Mat& depth, double time_tolerance);
 
 }  // namespace stdc

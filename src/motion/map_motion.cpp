@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "segmentation/propagation/mask_settling.hpp"
 #include "segmentation/propagation/tile_map.hpp"
@@ -29,7 +29,8 @@ MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<Mask
   frame.reference = input.reference;
   frame.frame_from_reference = input.frame_from_reference;
   frame.map = input.map;
-  frame.grid = sample_grid(geometry_, camera_, input.motion, input.depth);
+  frame.grid = sample_grid(geometry_, camera_, input.motion, input.depth,
+                           settings_.time_tolerance);
   if (input.cam_from_world) {
     frame.cam_from_world = *input.cam_from_world;
   } else if (last_) {
@@ -141,21 +142,36 @@ std::vector<std::uint8_t> MapMotion::shrink_mask(const cv::Mat& mask) const {
   return cells;
 }
 
+/// The cells that move, without the patches that are too small to be anything.
+cv::Mat MapMotion::moving_cells() const {
+  cv::Mat cells(geometry_.height(), geometry_.width(), CV_8UC1, cv::Scalar(0));
+  if (belief_.log_odds().empty()) return cells;
+  for (std::size_t i = 0; i < cells.total(); ++i) cells.data[i] = belief_.moves(i) ? 255 : 0;
+  cv::Mat labels, statistics, centres;
+  const int count = cv::connectedComponentsWithStats(cells, labels, statistics, centres, 8, CV_32S);
+  std::vector<std::uint8_t> keep(static_cast<std::size_t>(count), 0);
+  for (int i = 1; i < count; ++i) {
+    keep[static_cast<std::size_t>(i)] = statistics.at<int>(i, cv::CC_STAT_AREA) >= settings_.min_cells ? 255 : 0;
+  }
+  for (std::size_t i = 0; i < cells.total(); ++i) {
+    cells.data[i] = keep[static_cast<std::size_t>(labels.ptr<int>()[i])];
+  }
+  return cells;
+}
+
 cv::Mat MapMotion::mask() const {
+  const cv::Mat moving = moving_cells();
   cv::Mat mask(camera_.height, camera_.width, CV_8UC1, cv::Scalar(0));
-  bool any = false;
+  if (cv::countNonZero(moving) == 0) return mask;
   const std::vector<int>& cells = geometry_.cell_of_square();
   const int scale = geometry_.scale();
   for (int y = 0; y < geometry_.height(); ++y) {
     for (int x = 0; x < geometry_.width(); ++x) {
       const int cell = cells[static_cast<std::size_t>(y * geometry_.width() + x)];
-      if (cell < 0 || !belief_.moves(static_cast<std::size_t>(cell))) continue;
-      mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
-      any = true;
+      if (cell >= 0 && moving.data[cell] != 0) mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
     }
   }
-  if (!any || depth_.empty()) return mask;
-  return settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
+  return depth_.empty() ? mask : settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
 }
 
 }  // namespace stdc

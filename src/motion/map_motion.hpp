@@ -53,6 +53,7 @@ class MapMotion {
  private:
   std::vector<int> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
+  cv::Mat moving_cells() const;
   void remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                 const std::vector<std::uint8_t>& segmented);
 

@@ -6,6 +6,7 @@
 namespace stdc {
 namespace {
 
+constexpr float kUnseen = -0.6F;  ///< of a surface that has just come into view
 constexpr float kMax = 4;  ///< log-odds; a surface that changes its mind must not take too long
 
 }  // namespace
@@ -16,7 +17,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
                          const std::vector<int>& source) {
   constexpr float kFade = 0.95F, kSameSurface = 0.05F, kSameSurfaceGrowth = 0.01F;
   const std::vector<float> before = std::move(log_odds_);
-  log_odds_.assign(now.depth.size(), 0);
+  log_odds_.assign(now.depth.size(), kUnseen);
   if (before.size() != log_odds_.size()) return;
   const Eigen::Matrix3f rotation = last_from_now.rotation_matrix().cast<float>();
   const Eigen::Vector3f translation = last_from_now.translation.cast<float>();
@@ -28,7 +29,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
       const float assumed = depth > 0 ? depth : 3;
       const Eigen::Vector3f point =
           rotation * (assumed * Eigen::Vector3f(geometry_.ray_x(x), geometry_.ray_y(y), 1)) + translation;
-      float belief = 0;
+      float belief = kUnseen;
       if (point.z() > 0.1F) {
         const int u =
             static_cast<int>(std::lround(geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x()));
@@ -41,7 +42,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
           const bool same = depth != 0 && known != 0 && std::abs(known - point.z()) < tolerated;
           // A hole, often in the shadow of what moves, tells nothing about what is seen in it afterwards.
           belief = same ? before[from] : std::min(before[from], 0.0F);
-          if (depth != 0 && known != 0 && !same) belief = 0;
+          if (depth != 0 && known != 0 && !same) belief = kUnseen;
         }
       }
       if (source[cell] >= 0) {
@@ -84,7 +85,7 @@ void MotionBelief::add_opinion(const std::vector<std::uint8_t>& dynamic, float w
 
 void MotionBelief::smooth(const DepthGrid& now) {
   constexpr int kRounds = 4;
-  constexpr float kLink = 0.02F, kLinkGrowth = 0.02F, kBlind = 0.15F;
+  constexpr float kLink = 0.02F, kLinkGrowth = 0.02F;
   const int width = geometry_.width(), height = geometry_.height();
   const auto share = static_cast<float>(settings_.smoothing);
   std::vector<float> before(log_odds_.size());
@@ -94,13 +95,13 @@ void MotionBelief::smooth(const DepthGrid& now) {
       for (int x = 1; x + 1 < width; ++x) {
         const int cell = y * width + x;
         const float depth = now.depth[static_cast<std::size_t>(cell)];
+        if (depth == 0) continue;
         const float reach = 1 / (kLink + kLinkGrowth * depth);
         float sum = 0, links = 0;
         for (const int offset : {-width - 1, -width, -width + 1, -1, 1, width - 1, width, width + 1}) {
           const auto other = static_cast<std::size_t>(cell + offset);
           const float there = now.depth[other];
-          const float link =
-              depth == 0 || there == 0 ? kBlind : std::max(0.0F, 1 - std::abs(there - depth) * reach);
+          const float link = there == 0 ? 0 : std::max(0.0F, 1 - std::abs(there - depth) * reach);
           sum += link * before[other];
           links += link;
         }
