@@ -8,7 +8,7 @@
 namespace stdc::simulation {
 
 /// What a person does at a place or while walking.
-enum class Act { idle, talk, phone, sit, carry, place, pick, push };
+enum class Act { idle, talk, phone, sit, carry, place, pick, push, tap };
 
 /// Position and heading of a person on the floor. At yaw 0 the person faces -y.
 struct Stance {
@@ -45,6 +45,9 @@ class Route {
   void push_ahead(double distance, double speed);
   /// Adds an activity from `begin` to the present end.
   void note(Act act, double begin, const Pose& place = {});
+
+  /// Adds an activity from `begin` to `end`.
+  void note_span(Act act, double begin, double end) { episodes_.push_back({act, begin, end, {}}); }
 
   double end() const { return kStep * static_cast<double>(samples_.size() - 1); }
   const Stance& last() const { return samples_.back(); }

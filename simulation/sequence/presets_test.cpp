@@ -87,7 +87,7 @@ TEST(Presets, HaveTheMotionsOfTheirNames) {
       {Preset::static_desk, MotionKind::desk}, {Preset::static_room, MotionKind::room_loop},
       {Preset::walking_xyz, MotionKind::xyz},  {Preset::walking_halfsphere, MotionKind::halfsphere},
       {Preset::walking_rpy, MotionKind::rpy},  {Preset::walking_static, MotionKind::held},
-      {Preset::moving_box, MotionKind::watch},
+      {Preset::moving_box, MotionKind::watch}, {Preset::board, MotionKind::watch},
   };
   RenderSettings settings;
   settings.with_people = false;
