@@ -57,6 +57,8 @@ class Route {
   double speed(double time) const;
   double yaw_rate(double time) const;
   const std::vector<Episode>& episodes() const { return episodes_; }
+  /// The same route elsewhere. Places of episodes stay where they are.
+  Route shifted(const Eigen::Vector2d& shift) const;
   /// Removes all after `time`, with the episodes that begin later.
   void cut(double time);
 

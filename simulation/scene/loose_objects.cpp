@@ -54,4 +54,11 @@ Mesh side_table_mesh(const Room& room) {
   return mesh;
 }
 
+Mesh lens_cover_mesh(const Room& room) {
+  Mesh mesh;
+  ShapeBuilder b(mesh, room.world.materials, 13);
+  b.box({0, 0, -kCoverHeight / 2}, {kCoverWidth, 0.01, kCoverHeight}, room.materials.black_plastic);
+  return mesh;
+}
+
 }  // namespace stdc::simulation

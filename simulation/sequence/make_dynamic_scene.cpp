@@ -2,6 +2,7 @@
 
 #include "simulation/people/box_errand.hpp"
 #include "simulation/people/box_script.hpp"
+#include "simulation/people/crowd.hpp"
 #include "simulation/people/person_props.hpp"
 #include "simulation/people/walk_planner.hpp"
 #include "simulation/scene/loose_objects.hpp"
@@ -45,6 +46,17 @@ void add_balloon(Cast& cast, const Room& room, std::uint64_t seed) {
   cast.people.push_back(make_person(0, seed, std::move(script.route)));
 }
 
+/// Two people of the same build, in other clothes, who move alike.
+void add_twins(Cast& cast, std::uint64_t seed) {
+  const BodyMeasures build = random_appearance(0, seed).measures;
+  int number = 0;
+  for (Route& route : plan_side_by_side(kPlannedSeconds)) {
+    PersonAppearance appearance = random_appearance(number++, seed);
+    appearance.measures = build;
+    cast.people.emplace_back(appearance, Skeleton(build), std::move(route), seed);
+  }
+}
+
 void add_movers(Cast& cast, Preset preset, const Room& room, std::uint64_t seed) {
   switch (preset) {
     case Preset::static_desk:
@@ -61,6 +73,7 @@ void add_movers(Cast& cast, Preset preset, const Room& room, std::uint64_t seed)
       cast.props.push_back(sliding_board(room));
       break;
     case Preset::balloon:
+    case Preset::balloon_tracking:
       return add_balloon(cast, room, seed);
     case Preset::box_kidnapped:
       return add_errand(cast, room, seed, BoxErrand::kidnap);
@@ -68,14 +81,30 @@ void add_movers(Cast& cast, Preset preset, const Room& room, std::uint64_t seed)
       return add_errand(cast, room, seed, BoxErrand::place);
     case Preset::box_removed:
       return add_errand(cast, room, seed, BoxErrand::remove);
+    case Preset::crowd:
+      return add_people(cast, plan_crowd(kPlannedSeconds, seed), seed);
+    case Preset::synchronous:
+      return add_twins(cast, seed);
+    case Preset::door:
+      break;  // see add_furniture
+    case Preset::trolley:
+      cast.props.push_back(rolling_trolley(room));
+      break;
+    case Preset::camera_blocked:
+      cast.props.push_back(lens_cover(room, CameraPath(motion_of(preset), seed)));
+      break;
   }
 }
 
 /// What stands in the room in this preset only.
-void add_furniture(Cast& cast, Preset preset, const Room& room) {
+void add_furniture(Cast& cast, Preset preset, const Room& room, bool with_movers) {
   const bool table =
       preset == Preset::box_kidnapped || preset == Preset::box_placed || preset == Preset::box_removed;
   if (table) cast.props.push_back({side_table_mesh(room), side_table_pose(), {}, 0.15});
+  if (preset == Preset::door) {
+    cast.props.push_back({cupboard_mesh(room), cupboard_pose(), {}, 0.3});
+    cast.props.push_back(cupboard_door(room, with_movers));
+  }
 }
 
 }  // namespace
@@ -83,7 +112,7 @@ void add_furniture(Cast& cast, Preset preset, const Room& room) {
 std::optional<DynamicScene> make_dynamic_scene(Preset preset, std::uint64_t seed, bool with_movers,
                                                const Room& room, const BakedLight& light) {
   Cast cast;
-  add_furniture(cast, preset, room);
+  add_furniture(cast, preset, room, with_movers);
   if (with_movers) add_movers(cast, preset, room, seed);
   if (cast.people.empty() && cast.props.empty()) return std::nullopt;
   return std::optional<DynamicScene>(std::in_place, room.world, light, std::move(cast.people),

@@ -21,6 +21,11 @@ double between(const Knot& a, const Knot& b, double time) {
          span * x * y * (y * a.speed - x * b.speed);
 }
 
+/// A move along a path whose parameter goes smoothly from 0 to 1.
+Prop::Move eased_move(double begin, double end, const std::function<Pose(double)>& path) {
+  return sampled_move(begin, end, [&](double t) { return path(smooth((t - begin) / (end - begin))); });
+}
+
 }  // namespace
 
 Prop sliding_board(const Room& room) {
@@ -44,6 +49,49 @@ Prop floating_balloon(const Room& room, const BalloonScript& script, double seco
   Prop::Move move = sampled_move(-1e-3, seconds, pose);  // it moves at time 0 already
   const Pose start = move.world_from_prop.front();
   return {balloon_mesh(room), start, {std::move(move)}, kBalloonRadius};
+}
+
+Pose cupboard_pose() { return placed(0.45, -0.1, 0); }
+
+Prop cupboard_door(const Room& room, bool moves) {
+  const Pose hinge = cupboard_pose() * placed(-kCupboardWidth / 2 + 0.005, -kCupboardDepth / 2, 0);
+  const auto turned = [&](double radians) { return Pose(hinge.rotation * about_z(-radians), hinge.translation); };
+  std::vector<Prop::Move> all;
+  for (const double begin : {4.0, 12.0}) {
+    const double wide = begin < 10 ? 1.75 : 1.3;  // how far it opens [rad]
+    all.push_back(eased_move(begin, begin + 2.4, [&](double x) { return turned(wide * x); }));
+    all.push_back(eased_move(begin + 4.4, begin + 6.4, [&](double x) { return turned(wide * (1 - x)); }));
+  }
+  if (!moves) all.clear();
+  return {cupboard_door_mesh(room), turned(0), std::move(all), 0.2};
+}
+
+Prop rolling_trolley(const Room& room) {
+  constexpr double kOutside = 2.8, kStop = -0.15, kLane = -1.15;
+  const auto leg = [](double from, double to) {
+    return [=](double x) { return placed(from + (to - from) * x, kLane + 0.04 * std::sin(5 * x), 0, 0.03 * std::sin(6 * x)); };
+  };
+  std::vector<Prop::Move> moves{eased_move(3, 6.5, leg(-kOutside, kStop)), eased_move(9.5, 12.5, leg(kStop, kOutside)),
+                                eased_move(14, 19.5, leg(kOutside, -kOutside))};
+  const Pose start = moves.front().world_from_prop.front();
+  return {trolley_mesh(room), start, std::move(moves), 0.3};
+}
+
+Prop lens_cover(const Room& room, const CameraPath& camera) {
+  constexpr double kSwing = 0.7, kStay = 2, kDistance = 0.2;
+  const Vector3d away(0.3, 0.85, 0.1), before_lens(0, 0, kDistance);  // in the camera frame
+  // The cover's front, -y, faces the camera; its upper edge is up in the image.
+  const Eigen::Quaterniond upright = about_x(std::numbers::pi / 2);
+  std::vector<Prop::Move> moves;
+  for (const double begin : {5.0, 12.0}) {
+    const double end = begin + 2 * kSwing + kStay;
+    moves.push_back(sampled_move(begin, end, [&](double t) {
+      const double near = std::min(smooth((t - begin) / kSwing), smooth((end - t) / kSwing));
+      return camera.world_from_cam(t) * Pose(upright, away + near * (before_lens - away));
+    }));
+  }
+  const Pose start = moves.front().world_from_prop.front();
+  return {lens_cover_mesh(room), start, std::move(moves), 0.1};
 }
 
 }  // namespace stdc::simulation

@@ -29,6 +29,10 @@ MotionKind motion_of(Preset preset) {
       return MotionKind::rpy;
     case Preset::walking_static:
       return MotionKind::held;
+    case Preset::balloon_tracking:
+      return MotionKind::follow;
+    case Preset::camera_blocked:
+      return MotionKind::xyz;
     default:
       return MotionKind::watch;
   }
@@ -44,8 +48,6 @@ double seconds_of(Preset preset) {
     case Preset::walking_static:
     case Preset::moving_box:
       return 30;
-    case Preset::board:
-      return 17;
     default:
       return 20;
   }

@@ -22,10 +22,16 @@ enum class Preset {
   walking_static,
   moving_box,     ///< a person carries a box, puts it down and pushes a chair
   board,          ///< a board with prints slides before the camera; nobody
-  balloon,        ///< a person keeps a balloon in the air
+  balloon,           ///< a person keeps a balloon in the air
+  balloon_tracking,  ///< the same, and the camera looks at the balloon
   box_kidnapped,  ///< a box in view is carried off across the view
   box_placed,     ///< a person brings a box, puts it down and leaves
   box_removed,    ///< a person takes a box away
+  crowd,           ///< four people walk
+  synchronous,     ///< two people walk side by side in step
+  door,            ///< the door of a cupboard opens and closes
+  trolley,         ///< a trolley rolls through the room
+  camera_blocked,  ///< a board covers the lens for 2 s, twice
 };
 
 }  // namespace stdc::simulation
@@ -43,9 +49,15 @@ struct stdc::EnumNames<stdc::simulation::Preset> {
       std::pair{Preset::moving_box, "moving-box"},
       std::pair{Preset::board, "board"},
       std::pair{Preset::balloon, "balloon"},
+      std::pair{Preset::balloon_tracking, "balloon-tracking"},
       std::pair{Preset::box_kidnapped, "box-kidnapped"},
       std::pair{Preset::box_placed, "box-placed"},
       std::pair{Preset::box_removed, "box-removed"},
+      std::pair{Preset::crowd, "crowd"},
+      std::pair{Preset::synchronous, "synchronous"},
+      std::pair{Preset::door, "door"},
+      std::pair{Preset::trolley, "trolley"},
+      std::pair{Preset::camera_blocked, "camera-blocked"},
   };
 };
 
