@@ -47,7 +47,9 @@ Mesh cupboard_door_mesh(const Room& room) {
   print(m.calendar, 0.2, 0.35, 0.25, 0.5);
   print(m.notes.pick(5), 0.52, 0.6, 0.12, 0.12);
   print(m.pages.pick(2), 0.5, 0.3, 0.2, 0.28);
-  b.rod({{kWidth - 0.05, -kWall, 0.98}, {kWidth - 0.05, -0.06, 1.0}, {kWidth - 0.05, -0.06, 1.14},
+  b.rod({{kWidth - 0.05, -kWall, 0.98},
+         {kWidth - 0.05, -0.06, 1.0},
+         {kWidth - 0.05, -0.06, 1.14},
          {kWidth - 0.05, -kWall, 1.16}},
         0.008, m.metal);
   // The inner side, seen while it is open.

@@ -23,7 +23,8 @@ Mesh board_mesh(const Room& room) {
   Random random(7, 13);
   constexpr int kColumns = 7, kRows = 5;
   for (int i = 0; i < kColumns * kRows; ++i) {  // notes and pages, some over the edges of the posters
-    const double x = ((i % kColumns + 0.5) / kColumns - 0.5) * (kBoardWidth - 0.1) + random.uniform(-0.04, 0.04),
+    const double x = ((i % kColumns + 0.5) / kColumns - 0.5) * (kBoardWidth - 0.1) +
+                     random.uniform(-0.04, 0.04),
                  z = (i / kColumns + 0.5) / kRows * (kBoardHeight - 0.1) + 0.05 + random.uniform(-0.06, 0.06);
     const double size = random.uniform(0.07, 0.13);
     const Finish print = random.below(2) == 0 ? m.pages.pick(random.next()) : m.notes.pick(random.next());
@@ -37,7 +38,8 @@ Mesh balloon_mesh(const Room& room) {
   ShapeBuilder b(mesh, room.world.materials, 8);
   const double r = kBalloonRadius;
   b.ellipsoid({0, 0, 0}, {r, r, 1.15 * r}, room.materials.red_glaze, 36);
-  b.revolve({0, 0, -1.15 * r - 0.018}, {{0.014, 0}, {0.004, 0.02}}, 10, room.materials.red_glaze);  // the knot
+  b.revolve({0, 0, -1.15 * r - 0.018}, {{0.014, 0}, {0.004, 0.02}}, 10,
+            room.materials.red_glaze);  // the knot
   return mesh;
 }
 

@@ -14,8 +14,8 @@ Mesh trolley_mesh(const Room& room) {
   for (const double z : {kLow, kHigh}) b.box({0, 0, z}, {kLength, kWidth, 0.025}, m.yellow_paint);
   for (const double sx : {-1.0, 1.0}) {
     for (const double sy : {-1.0, 1.0}) {
-      b.rod({{sx * x, sy * y, 0.08}, {sx * x, sy * y, 0.4}, {sx * x, sy * y, sx < 0 ? kHandle : kHigh}}, 0.014,
-            m.metal);
+      b.rod({{sx * x, sy * y, 0.08}, {sx * x, sy * y, 0.4}, {sx * x, sy * y, sx < 0 ? kHandle : kHigh}},
+            0.014, m.metal);
       b.ellipsoid({sx * x, sy * y, 0.06}, {0.06, 0.018, 0.06}, m.black_plastic, 18);
     }
   }

@@ -94,8 +94,8 @@ Pose following(const BalloonScript& script, double t) {
     const double shift = BalloonScript::kPeriod * ((i + 0.5) / kSamples - 0.5);
     mean += script.balloon(t + 0.5 * kStart + shift) / kSamples;
   }
-  const Vector3d eye(0.3 * wave(t, 10.3) + 0.08 * wave(t, 4.3), -2.6 + 0.12 * (wave(t, 8.3, 1) - std::sin(1.0)),
-                     1.46 + 0.1 * wave(t, 6.7));
+  const Vector3d eye(0.3 * wave(t, 10.3) + 0.08 * wave(t, 4.3),
+                     -2.6 + 0.12 * (wave(t, 8.3, 1) - std::sin(1.0)), 1.46 + 0.1 * wave(t, 6.7));
   return rotated(look_at(eye, mean - Vector3d(0, 0, 0.3)), 0, 0, 3 * kDegree * wave(t, 5.9));
 }
 

@@ -55,7 +55,9 @@ Pose cupboard_pose() { return placed(0.45, -0.1, 0); }
 
 Prop cupboard_door(const Room& room, bool moves) {
   const Pose hinge = cupboard_pose() * placed(-kCupboardWidth / 2 + 0.005, -kCupboardDepth / 2, 0);
-  const auto turned = [&](double radians) { return Pose(hinge.rotation * about_z(-radians), hinge.translation); };
+  const auto turned = [&](double radians) {
+    return Pose(hinge.rotation * about_z(-radians), hinge.translation);
+  };
   std::vector<Prop::Move> all;
   for (const double begin : {4.0, 12.0}) {
     const double wide = begin < 10 ? 1.75 : 1.3;  // how far it opens [rad]
@@ -69,9 +71,12 @@ Prop cupboard_door(const Room& room, bool moves) {
 Prop rolling_trolley(const Room& room) {
   constexpr double kOutside = 2.8, kStop = -0.15, kLane = -1.15;
   const auto leg = [](double from, double to) {
-    return [=](double x) { return placed(from + (to - from) * x, kLane + 0.04 * std::sin(5 * x), 0, 0.03 * std::sin(6 * x)); };
+    return [=](double x) {
+      return placed(from + (to - from) * x, kLane + 0.04 * std::sin(5 * x), 0, 0.03 * std::sin(6 * x));
+    };
   };
-  std::vector<Prop::Move> moves{eased_move(3, 6.5, leg(-kOutside, kStop)), eased_move(9.5, 12.5, leg(kStop, kOutside)),
+  std::vector<Prop::Move> moves{eased_move(3, 6.5, leg(-kOutside, kStop)),
+                                eased_move(9.5, 12.5, leg(kStop, kOutside)),
                                 eased_move(14, 19.5, leg(kOutside, -kOutside))};
   const Pose start = moves.front().world_from_prop.front();
   return {trolley_mesh(room), start, std::move(moves), 0.3};

@@ -48,7 +48,8 @@ class Movers : public testing::Test {
   bool touches_the_room(const Prop& prop, double time) const {
     const Pose pose = prop.world_from_prop(time);
     Vector3f middle = Vector3f::Zero();
-    for (const Vector3f& p : prop.mesh().positions) middle += p / static_cast<float>(prop.mesh().positions.size());
+    for (const Vector3f& p : prop.mesh().positions)
+      middle += p / static_cast<float>(prop.mesh().positions.size());
     const Vector3f from = (pose * middle.cast<double>()).cast<float>();
     return std::any_of(prop.mesh().positions.begin(), prop.mesh().positions.end(), [&](const Vector3f& p) {
       return rays_.occluded(from, (pose * p.cast<double>()).cast<float>() - from, 1);
@@ -74,7 +75,8 @@ TEST_F(Movers, ThingsKeepClearOfTheCameraAndTheRoom) {
     for (double t = 0; t < seconds_of(preset); t += 0.2) {
       for (const Prop& prop : all.props()) {
         const double least = preset == Preset::camera_blocked ? 0.15 : 0.5;
-        EXPECT_GT(distance(prop, t, camera.world_from_cam(t).translation), least) << enum_name(preset) << " at " << t;
+        EXPECT_GT(distance(prop, t, camera.world_from_cam(t).translation), least)
+            << enum_name(preset) << " at " << t;
         EXPECT_FALSE(touches_the_room(prop, t)) << enum_name(preset) << " at " << t;
       }
     }
@@ -124,7 +126,8 @@ TEST(MoverMasks, TheBoardCoversMostOfTheViewAndNearly) {
 
 TEST(MoverMasks, MovedShowsTheBoxWhileItRests) {
   const RenderedSequence sequence(Preset::box_removed, small_settings());
-  const RenderedFrame before = sequence.render(30), during = sequence.render(270), after = sequence.render(590);
+  const RenderedFrame before = sequence.render(30), during = sequence.render(270),
+                      after = sequence.render(590);
   EXPECT_EQ(cv::countNonZero(before.mask), 0);
   EXPECT_GT(share(before.moved), 0.01);
   EXPECT_GT(share(during.mask), 0.05);
@@ -138,7 +141,8 @@ TEST(MoverMasks, TheCleanRoomHasNoMovers) {
   const RenderedFrame clean = without.render(30), boxed = with.render(30);
   EXPECT_EQ(cv::countNonZero(clean.mask), 0);
   EXPECT_TRUE(clean.moved.empty());
-  EXPECT_FALSE(same(clean.image.depth, boxed.image.depth));  // the box stands there, but not in the clean room
+  EXPECT_FALSE(
+      same(clean.image.depth, boxed.image.depth));  // the box stands there, but not in the clean room
   // After the errand both rooms are the same.
   const RenderedFrame left = with.render(590), empty = without.render(590);
   EXPECT_TRUE(same(left.image.depth, empty.image.depth));

@@ -20,18 +20,18 @@ enum class Preset {
   walking_halfsphere,
   walking_rpy,
   walking_static,
-  moving_box,     ///< a person carries a box, puts it down and pushes a chair
-  board,          ///< a board with prints slides before the camera; nobody
+  moving_box,        ///< a person carries a box, puts it down and pushes a chair
+  board,             ///< a board with prints slides before the camera; nobody
   balloon,           ///< a person keeps a balloon in the air
   balloon_tracking,  ///< the same, and the camera looks at the balloon
-  box_kidnapped,  ///< a box in view is carried off across the view
-  box_placed,     ///< a person brings a box, puts it down and leaves
-  box_removed,    ///< a person takes a box away
-  crowd,           ///< four people walk
-  synchronous,     ///< two people walk side by side in step
-  door,            ///< the door of a cupboard opens and closes
-  trolley,         ///< a trolley rolls through the room
-  camera_blocked,  ///< a board covers the lens for 2 s, twice
+  box_kidnapped,     ///< a box in view is carried off across the view
+  box_placed,        ///< a person brings a box, puts it down and leaves
+  box_removed,       ///< a person takes a box away
+  crowd,             ///< four people walk
+  synchronous,       ///< two people walk side by side in step
+  door,              ///< the door of a cupboard opens and closes
+  trolley,           ///< a trolley rolls through the room
+  camera_blocked,    ///< a board covers the lens for 2 s, twice
 };
 
 }  // namespace stdc::simulation

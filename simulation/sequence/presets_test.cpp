@@ -84,10 +84,10 @@ TEST_F(StillRoom, PeopleHaveRoomAndKeepAwayFromTheCamera) {
 
 TEST(Presets, HaveTheMotionsOfTheirNames) {
   const std::pair<Preset, MotionKind> pairs[] = {
-      {Preset::static_desk, MotionKind::desk}, {Preset::static_room, MotionKind::room_loop},
-      {Preset::walking_xyz, MotionKind::xyz},  {Preset::walking_halfsphere, MotionKind::halfsphere},
-      {Preset::walking_rpy, MotionKind::rpy},  {Preset::walking_static, MotionKind::held},
-      {Preset::moving_box, MotionKind::watch}, {Preset::board, MotionKind::watch},
+      {Preset::static_desk, MotionKind::desk},        {Preset::static_room, MotionKind::room_loop},
+      {Preset::walking_xyz, MotionKind::xyz},         {Preset::walking_halfsphere, MotionKind::halfsphere},
+      {Preset::walking_rpy, MotionKind::rpy},         {Preset::walking_static, MotionKind::held},
+      {Preset::moving_box, MotionKind::watch},        {Preset::board, MotionKind::watch},
       {Preset::balloon_tracking, MotionKind::follow}, {Preset::camera_blocked, MotionKind::xyz},
   };
   RenderSettings settings;
