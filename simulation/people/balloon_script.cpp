@@ -9,13 +9,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLift = 0.55;                     // from a tap to the highest point [m]
+constexpr double kLift = 0.4;                      // from a tap to the highest point [m]
 constexpr double kAhead = 0.5, kTapHeight = 1.38;  // of the balloon's centre when tapped, from the person [m]
+constexpr double kLane = -0.9;                     // y of the walk [m]
 constexpr double kTapping = 1.4;                   // how long the arms take to rise and sink [s]
 
 /// Walks to x = `x` along the desks, faces the camera for a few taps, and turns back.
 void cross(Route& route, double x) {
-  route.walk({{x, -1.0}}, 0.42);
+  route.walk({{x, kLane}}, 0.42);
   route.turn(0);
   route.wait(2 * BalloonScript::kPeriod);
 }
@@ -33,11 +34,12 @@ Vector3d BalloonScript::balloon(double time) const {
 }
 
 BalloonScript plan_balloon(double seconds) {
-  BalloonScript script{Route({{-1.75, -1.0}, std::numbers::pi / 2}), {}};
+  BalloonScript script{Route({{-1.75, kLane}, std::numbers::pi / 2}), {}};
   Route& route = script.route;
   while (route.end() < seconds) {
-    cross(route, 0.75);
-    cross(route, -1.1);
+    cross(route, -0.25);
+    cross(route, 0.3);
+    cross(route, -0.65);
   }
   const auto count = static_cast<int>(route.end() / BalloonScript::kPeriod);
   for (int i = 0; i < count; ++i) {
