@@ -51,7 +51,7 @@ Prop floating_balloon(const Room& room, const BalloonScript& script, double seco
   return {balloon_mesh(room), start, {std::move(move)}, kBalloonRadius};
 }
 
-Pose cupboard_pose() { return placed(0.45, -0.1, 0); }
+Pose cupboard_pose() { return placed(0.36, -0.1, 0); }
 
 Prop cupboard_door(const Room& room, bool moves) {
   const Pose hinge = cupboard_pose() * placed(-kCupboardWidth / 2 + 0.005, -kCupboardDepth / 2, 0);

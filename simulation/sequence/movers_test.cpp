@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "simulation/light/ray_scene.hpp"
 #include "simulation/sequence/make_dynamic_scene.hpp"
@@ -17,11 +17,11 @@ using Eigen::Vector3f;
 
 RenderSettings small_settings(bool with_movers = true) {
   Camera camera = default_render_camera();
-  camera.width = 64;
-  camera.height = 48;
-  camera.fx = camera.fy = 53.5;
-  camera.cx = 31.5;
-  camera.cy = 24.5;
+  camera.width = 96;
+  camera.height = 72;
+  camera.fx = camera.fy = 80;
+  camera.cx = 48;
+  camera.cy = 37;
   RenderSettings settings;
   settings.camera = camera;
   settings.with_people = with_movers;
@@ -44,7 +44,8 @@ class Movers : public testing::Test {
   }
   DynamicScene scene(Preset preset) const { return *make_dynamic_scene(preset, 1, true, room_, light_); }
 
-  /// Whether something of the room lies between the middle of a prop and one of its vertices.
+  /// Whether something of the room lies between the middle of a prop and one of its vertices (which may touch
+  /// the floor).
   bool touches_the_room(const Prop& prop, double time) const {
     const Pose pose = prop.world_from_prop(time);
     Vector3f middle = Vector3f::Zero();
@@ -52,7 +53,7 @@ class Movers : public testing::Test {
       middle += p / static_cast<float>(prop.mesh().positions.size());
     const Vector3f from = (pose * middle.cast<double>()).cast<float>();
     return std::any_of(prop.mesh().positions.begin(), prop.mesh().positions.end(), [&](const Vector3f& p) {
-      return rays_.occluded(from, (pose * p.cast<double>()).cast<float>() - from, 1);
+      return rays_.occluded(from, (pose * p.cast<double>()).cast<float>() - from, 0.98F);
     });
   }
 
@@ -103,7 +104,7 @@ TEST_F(Movers, PeopleKeepClearOfTheCameraAndTheRoom) {
   }
 }
 
-TEST(MoverMasks, TheBoardCoversMostOfTheViewAndNearly) {
+TEST(MoverMasks, TheBoardCoversMostOfTheViewFromNear) {
   const RenderedSequence sequence(Preset::board, small_settings());
   int covered = 0;
   for (int i = 300; i < 480; i += 6) {
@@ -112,10 +113,12 @@ TEST(MoverMasks, TheBoardCoversMostOfTheViewAndNearly) {
     EXPECT_LT(now, 0.85) << i;
     if (now < 0.58) continue;
     ++covered;
+    cv::Mat inner;  // at outlines the sensor mixes up near and far
+    cv::erode(frame.mask, inner, cv::Mat::ones(3, 5, CV_8U));
     for (int y = 0; y < frame.mask.rows; ++y) {
       for (int x = 0; x < frame.mask.cols; ++x) {
         const int raw = frame.image.depth.at<std::uint16_t>(y, x);
-        if (frame.mask.at<std::uint8_t>(y, x) == 0 || raw == 0) continue;
+        if (inner.at<std::uint8_t>(y, x) == 0 || raw == 0) continue;
         ASSERT_TRUE(raw > 0.8 * 5000 && raw < 1.6 * 5000) << raw / 5000.0;
       }
     }
