@@ -7,7 +7,7 @@ namespace stdc::simulation {
 // Objects that only some presets have; they move, or stand in the room without being part of it. Each is a
 // mesh in the object's own frame, metres, z up, its front along -y, with the materials of `room`.
 
-constexpr double kBoardWidth = 1.25, kBoardHeight = 1.6;
+constexpr double kBoardWidth = 1.13, kBoardHeight = 1.6;
 constexpr double kBalloonRadius = 0.16;
 constexpr double kSideTableHeight = 0.73;
 constexpr double kCupboardWidth = 0.9, kCupboardDepth = 0.42, kCupboardHeight = 1.95;

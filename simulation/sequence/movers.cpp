@@ -33,9 +33,10 @@ Prop sliding_board(const Room& room) {
   constexpr Knot kPath[] = {{8.5, -2.4, 0}, {10.5, -0.36, kSpeed}, {15.3, 0.31, kSpeed}, {17, 2.4, 0}};
   const auto pose = [&](double t) {
     const int piece = t < kPath[1].time ? 0 : t < kPath[2].time ? 1 : 2;
-    const Vector3d at(between(kPath[piece], kPath[piece + 1], t), -1.4 + 0.05 * wave(t, 6.5),
+    const Vector3d at(between(kPath[piece], kPath[piece + 1], t), -1.65 + 0.05 * wave(t, 6.5),
                       0.4 + 0.015 * wave(t, 2.3));
-    return Pose(about_z(0.06 * wave(t, 7.7)) * about_y(0.01 * wave(t, 3.1)), at);
+    // Leans back, so that it faces the camera, which looks down a little.
+    return Pose(about_z(0.06 * wave(t, 7.7)) * about_x(-0.16) * about_y(0.01 * wave(t, 3.1)), at);
   };
   Prop::Move move = sampled_move(kPath[0].time, kPath[3].time, pose);
   const Pose start = move.world_from_prop.front();
