@@ -14,7 +14,8 @@ struct IdealImage {
   cv::Mat depth;   ///< CV_32FC1, z at the pixel's centre [m]; 0: no surface
   cv::Mat
       infrared;  ///< CV_32FC1, share of the depth sensor's pattern that comes back (material, angle), 0..1
-  cv::Mat mask;  ///< CV_8UC1, 255: a moving person or object at the pixel's centre
+  cv::Mat mask;   ///< CV_8UC1, 255: a moving person or object at the pixel's centre
+  cv::Mat moved;  ///< CV_8UC1, 255: a person or object there that moves now or at another time
 };
 
 }  // namespace stdc::simulation

@@ -17,6 +17,8 @@ class MovingObjects {
   virtual std::uint32_t surface(const Hit& hit) const = 0;
   /// Whether the surface hit is moving now: 255 in the mask.
   virtual bool dynamic(const Hit& hit) const = 0;
+  /// Whether it moves at any time of the sequence.
+  virtual bool ever_dynamic(const Hit& hit) const { return dynamic(hit); }
   /// Share of the light that reaches a point of the static scene, 0..1.
   virtual float shadow(const Eigen::Vector3f& position, const Eigen::Vector3f& normal) const = 0;
 };

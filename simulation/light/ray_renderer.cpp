@@ -37,6 +37,7 @@ class FrameRender {
     image_.depth.create(size, CV_32FC1);
     image_.infrared.create(size, CV_32FC1);
     image_.mask.create(size, CV_8UC1);
+    image_.moved.create(size, CV_8UC1);
   }
 
   IdealImage run() {
@@ -108,6 +109,7 @@ class FrameRender {
     image_.depth.at<float>(y, x) = seen.hit.valid() ? seen.hit.distance : 0;
     image_.infrared.at<float>(y, x) = s.infrared;
     image_.mask.at<std::uint8_t>(y, x) = seen.moving && moving_->dynamic(seen.hit) ? 255 : 0;
+    image_.moved.at<std::uint8_t>(y, x) = seen.moving && moving_->ever_dynamic(seen.hit) ? 255 : 0;
   }
 
   bool differ(const Seen& a, const Seen& b) const {

@@ -13,9 +13,10 @@ struct Person {
   PersonMotion motion;
 
   Person(const PersonAppearance& appearance, const Skeleton& skeleton, Route route)
-      : mesh(skeleton, appearance),
-        textures(appearance),
-        motion(skeleton, std::move(route), appearance.seed) {}
+      : Person(appearance, skeleton, std::move(route), appearance.seed) {}
+  /// @param motion_seed  of the small motions in which people differ
+  Person(const PersonAppearance& appearance, const Skeleton& skeleton, Route route, std::uint64_t motion_seed)
+      : mesh(skeleton, appearance), textures(appearance), motion(skeleton, std::move(route), motion_seed) {}
 };
 
 /// A random appearance; even and odd `number` differ in build and hair.

@@ -80,6 +80,10 @@ std::optional<PersonMotion::Grasp> PersonMotion::grasp(bool left, double time, c
       const Vector3d side = held_box(time) * Vector3d(out * (0.5 * kBoxSize[0] + 0.035), 0.02, 0.09);
       return Grasp{side - 0.10 * ahead, now.holding};
     }
+    case Act::tap: {  // both palms up before the chest
+      const Vector3d front = chest.translation + 0.38 * ahead + out * 0.09 * to_left - 0.02 * kUp;
+      return Grasp{front, now.amount};
+    }
     case Act::push: {  // on the back rest
       const Eigen::Vector2d direction = forward(route_.at(time).yaw);
       Vector3d rest = pose[Bone::pelvis].translation + 0.37 * Vector3d(direction.x(), direction.y(), 0) +

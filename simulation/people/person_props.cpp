@@ -8,14 +8,7 @@
 namespace stdc::simulation {
 namespace {
 
-constexpr double kStep = 0.02;  // between the poses of a move [s]
-
-Prop::Move sampled(double begin, double end, const auto& pose_at) {
-  Prop::Move move{begin, end, {}};
-  const int steps = std::max(1, static_cast<int>(std::ceil((end - begin) / kStep)));
-  for (int i = 0; i <= steps; ++i) move.world_from_prop.push_back(pose_at(begin + (end - begin) * i / steps));
-  return move;
-}
+constexpr double kStep = 0.02;  // of the search for the time at which a push begins or ends [s]
 
 }  // namespace
 
@@ -31,11 +24,12 @@ Prop carried_box(const Room& room, const PersonMotion& carrier) {
   std::vector<Prop::Move> moves;
   const auto held = [&](double t) { return carrier.held_box(t); };
   for (const Episode& e : carrier.route().episodes()) {
-    if (e.act == Act::carry) moves.push_back(sampled(e.begin, e.end - 1e-6, held));
-    if (e.act == Act::place) moves.push_back(sampled(e.begin, e.begin + kMovingBox, held));
-    if (e.act == Act::pick) moves.push_back(sampled(e.end - kMovingBox, e.end, held));
+    if (e.act == Act::carry) moves.push_back(sampled_move(e.begin, e.end - 1e-6, held));
+    if (e.act == Act::place) moves.push_back(sampled_move(e.begin, e.begin + kMovingBox, held));
+    if (e.act == Act::pick) moves.push_back(sampled_move(e.end - kMovingBox, e.end, held));
   }
-  return {std::move(mesh), carrier.held_box(0), std::move(moves), 0.18};
+  const Pose start = moves.front().world_from_prop.front();
+  return {std::move(mesh), start, std::move(moves), 0.18};
 }
 
 Prop pushed_chair(const Room& room, const PersonMotion& pusher, const Pose& start) {
@@ -55,7 +49,7 @@ Prop pushed_chair(const Room& room, const PersonMotion& pusher, const Pose& star
     while (first < last && pusher.route().speed(first) < 0.01) first += kStep;
     while (last > first && pusher.route().speed(last) < 0.01) last -= kStep;
     const Pose body_from_chair = body(first).inverse() * now;
-    moves.push_back(sampled(first, last, [&](double t) { return body(t) * body_from_chair; }));
+    moves.push_back(sampled_move(first, last, [&](double t) { return body(t) * body_from_chair; }));
     now = moves.back().world_from_prop.back();
   }
   return {std::move(mesh), start, std::move(moves), 0.25};

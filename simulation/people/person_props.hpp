@@ -6,7 +6,8 @@
 
 namespace stdc::simulation {
 
-/// The cardboard box that a person carries, puts down and picks up; at rest in between.
+/// The cardboard box that a person carries, puts down and picks up; at rest in between, and before the first
+/// move. The person's route must have an episode with the box.
 Prop carried_box(const Room& room, const PersonMotion& carrier);
 /// The chair that a person pushes.
 Prop pushed_chair(const Room& room, const PersonMotion& pusher, const Pose& start);

@@ -120,6 +120,12 @@ double Route::yaw_rate(double time) const {
   return (at(time + kSpan).yaw - at(time - kSpan).yaw) / (2 * kSpan);
 }
 
+Route Route::shifted(const Vector2d& shift) const {
+  Route result = *this;
+  for (Stance& stance : result.samples_) stance.position += shift;
+  return result;
+}
+
 void Route::cut(double time) {
   const auto keep = static_cast<std::size_t>(std::lround(time / kStep)) + 1;
   if (keep < samples_.size()) samples_.resize(keep);

@@ -8,7 +8,7 @@
 namespace stdc::simulation {
 
 /// What a person does at a place or while walking.
-enum class Act { idle, talk, phone, sit, carry, place, pick, push };
+enum class Act { idle, talk, phone, sit, carry, place, pick, push, tap };
 
 /// Position and heading of a person on the floor. At yaw 0 the person faces -y.
 struct Stance {
@@ -46,6 +46,9 @@ class Route {
   /// Adds an activity from `begin` to the present end.
   void note(Act act, double begin, const Pose& place = {});
 
+  /// Adds an activity from `begin` to `end`.
+  void note_span(Act act, double begin, double end) { episodes_.push_back({act, begin, end, {}}); }
+
   double end() const { return kStep * static_cast<double>(samples_.size() - 1); }
   const Stance& last() const { return samples_.back(); }
   /// Before the start and after the end the person stands still.
@@ -54,6 +57,8 @@ class Route {
   double speed(double time) const;
   double yaw_rate(double time) const;
   const std::vector<Episode>& episodes() const { return episodes_; }
+  /// The same route elsewhere. Places of episodes stay where they are.
+  Route shifted(const Eigen::Vector2d& shift) const;
   /// Removes all after `time`, with the episodes that begin later.
   void cut(double time);
 

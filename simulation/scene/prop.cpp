@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace stdc::simulation {
+namespace {
+
+constexpr double kStep = 0.02;  // between the poses of a move, at most [s]
+
+}  // namespace
 
 Pose Prop::world_from_prop(double time) const {
   Pose pose = start_;
@@ -23,6 +28,14 @@ Pose Prop::world_from_prop(double time) const {
 bool Prop::moving(double time) const {
   return std::any_of(moves_.begin(), moves_.end(),
                      [&](const Move& m) { return time > m.begin && time < m.end; });
+}
+
+Prop::Move sampled_move(double begin, double end, const std::function<Pose(double)>& world_from_prop) {
+  Prop::Move move{begin, end, {}};
+  const int steps = std::max(1, static_cast<int>(std::ceil((end - begin) / kStep)));
+  for (int i = 0; i <= steps; ++i)
+    move.world_from_prop.push_back(world_from_prop(begin + (end - begin) * i / steps));
+  return move;
 }
 
 }  // namespace stdc::simulation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/pose.hpp"
@@ -7,7 +8,8 @@
 
 namespace stdc::simulation {
 
-/// A rigid object that people move: a box, a chair.
+/// A rigid object that people move, or that moves by itself: a box, a chair, a balloon. Without moves it is
+/// furniture of one preset.
 class Prop {
  public:
   /// A motion over a span of time; the object rests between its moves.
@@ -25,6 +27,7 @@ class Prop {
   const Mesh& mesh() const { return mesh_; }
   Pose world_from_prop(double time) const;
   bool moving(double time) const;
+  bool ever_moves() const { return !moves_.empty(); }
   /// Radius of the ball that stands for it in soft shadows [m].
   double radius() const { return radius_; }
 
@@ -34,5 +37,8 @@ class Prop {
   std::vector<Move> moves_;
   double radius_;
 };
+
+/// A move that follows `world_from_prop`, a function of time [s], from `begin` to `end`.
+Prop::Move sampled_move(double begin, double end, const std::function<Pose(double)>& world_from_prop);
 
 }  // namespace stdc::simulation

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "simulation/people/balloon_script.hpp"
 #include "simulation/scene/motion_curves.hpp"
 #include "simulation/scene/room.hpp"
 
@@ -85,6 +86,19 @@ Pose watching(double t) {
   return rotated(look_at(eye, gaze), 0, 0, 3 * kDegree * wave(t, 5.7));
 }
 
+/// Looks at where the balloon is on average over one tap, so that the gaze does not bounce with it.
+Pose following(const BalloonScript& script, double t) {
+  constexpr int kSamples = 9;
+  Vector3d mean = Vector3d::Zero();
+  for (int i = 0; i < kSamples; ++i) {
+    const double shift = BalloonScript::kPeriod * ((i + 0.5) / kSamples - 0.5);
+    mean += script.balloon(t + 0.5 * kStart + shift) / kSamples;
+  }
+  const Vector3d eye(0.3 * wave(t, 10.3) + 0.08 * wave(t, 4.3),
+                     -2.6 + 0.12 * (wave(t, 8.3, 1) - std::sin(1.0)), 1.46 + 0.1 * wave(t, 6.7));
+  return rotated(look_at(eye, mean - Vector3d(0, 0, 0.3)), 0, 0, 3 * kDegree * wave(t, 5.9));
+}
+
 Pose half_sphere(double t) {
   const double tilt = 75 * kDegree * (0.5 - 0.5 * std::cos(kTwoPi * t / 8.5)),
                azimuth = kTwoPi * t / 21 + 0.4;
@@ -115,6 +129,11 @@ Pose look_at(const Vector3d& eye, const Vector3d& target) {
   return {axes, eye};
 }
 
+CameraPath::CameraPath(MotionKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {
+  constexpr double kPlannedSeconds = 600;
+  if (kind == MotionKind::follow) followed_ = std::make_shared<BalloonScript>(plan_balloon(kPlannedSeconds));
+}
+
 Pose CameraPath::steady(double time) const {
   const double t = eased(time);
   switch (kind_) {
@@ -130,6 +149,8 @@ Pose CameraPath::steady(double time) const {
       return half_sphere(t);
     case MotionKind::rpy:
       return roll_pitch_yaw(t);
+    case MotionKind::follow:
+      return following(*followed_, t);
     case MotionKind::held:
       break;
   }

@@ -50,6 +50,11 @@ class SceneSnapshot : public MovingObjects {
 
   bool dynamic(const Hit& hit) const override { return instance_of(hit).moves; }
 
+  bool ever_dynamic(const Hit& hit) const override {
+    const Instance& a = instance_of(hit);
+    return a.prop == nullptr || a.prop->ever_moves();
+  }
+
   float shadow(const Vector3f& position, const Vector3f& normal) const override {
     float light = 1;
     for (const Instance& a : instances_) {
@@ -212,6 +217,10 @@ class SceneSnapshot : public MovingObjects {
 };
 
 }  // namespace
+
+bool DynamicScene::has_moving_props() const {
+  return std::any_of(props_.begin(), props_.end(), [](const Prop& prop) { return prop.ever_moves(); });
+}
 
 std::unique_ptr<MovingObjects> DynamicScene::at(double time) const {
   if (people_.empty() && props_.empty()) return nullptr;

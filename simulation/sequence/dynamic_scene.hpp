@@ -21,6 +21,8 @@ class DynamicScene {
   /// Their state at `time` [s]; null if there are none. The result refers to this object. Thread-safe.
   std::unique_ptr<MovingObjects> at(double time) const;
 
+  /// Whether there is a prop that moves at some time.
+  bool has_moving_props() const;
   const std::vector<Person>& people() const { return people_; }
   const std::vector<Prop>& props() const { return props_; }
 

@@ -18,7 +18,7 @@ using Eigen::Vector3f;
 
 constexpr MotionKind kMotions[] = {MotionKind::desk, MotionKind::room_loop,  MotionKind::watch,
                                    MotionKind::xyz,  MotionKind::halfsphere, MotionKind::rpy,
-                                   MotionKind::held};
+                                   MotionKind::held, MotionKind::follow};
 
 class StillRoom : public testing::Test {
  protected:
@@ -84,10 +84,11 @@ TEST_F(StillRoom, PeopleHaveRoomAndKeepAwayFromTheCamera) {
 
 TEST(Presets, HaveTheMotionsOfTheirNames) {
   const std::pair<Preset, MotionKind> pairs[] = {
-      {Preset::static_desk, MotionKind::desk}, {Preset::static_room, MotionKind::room_loop},
-      {Preset::walking_xyz, MotionKind::xyz},  {Preset::walking_halfsphere, MotionKind::halfsphere},
-      {Preset::walking_rpy, MotionKind::rpy},  {Preset::walking_static, MotionKind::held},
-      {Preset::moving_box, MotionKind::watch},
+      {Preset::static_desk, MotionKind::desk},        {Preset::static_room, MotionKind::room_loop},
+      {Preset::walking_xyz, MotionKind::xyz},         {Preset::walking_halfsphere, MotionKind::halfsphere},
+      {Preset::walking_rpy, MotionKind::rpy},         {Preset::walking_static, MotionKind::held},
+      {Preset::moving_box, MotionKind::watch},        {Preset::board, MotionKind::watch},
+      {Preset::balloon_tracking, MotionKind::follow}, {Preset::camera_blocked, MotionKind::xyz},
   };
   RenderSettings settings;
   settings.with_people = false;

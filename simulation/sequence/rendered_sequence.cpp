@@ -4,14 +4,11 @@
 #include <opencv2/core.hpp>
 
 #include "simulation/light/ray_renderer.hpp"
-#include "simulation/people/box_script.hpp"
-#include "simulation/people/person_props.hpp"
-#include "simulation/people/walk_planner.hpp"
 #include "simulation/scene/room.hpp"
 #include "simulation/sensors/colour_sensor.hpp"
 #include "simulation/sensors/depth_sensor.hpp"
 #include "simulation/sequence/camera_path.hpp"
-#include "simulation/sequence/dynamic_scene.hpp"
+#include "simulation/sequence/make_dynamic_scene.hpp"
 
 namespace stdc::simulation {
 namespace {
@@ -20,86 +17,8 @@ constexpr double kFirstTimestamp = 1000;   // [s]
 constexpr double kBlurSeconds = 1.0 / 60;  // exposure time with motion blur
 constexpr int kBlurSamples = 6;
 constexpr float kExposure = 1.55F;
-constexpr double kPlannedSeconds = 600;  // people stand still after that
-
-MotionKind motion_of(Preset preset) {
-  switch (preset) {
-    case Preset::static_desk:
-      return MotionKind::desk;
-    case Preset::static_room:
-      return MotionKind::room_loop;
-    case Preset::walking_xyz:
-      return MotionKind::xyz;
-    case Preset::walking_halfsphere:
-      return MotionKind::halfsphere;
-    case Preset::walking_rpy:
-      return MotionKind::rpy;
-    case Preset::walking_static:
-      return MotionKind::held;
-    case Preset::moving_box:
-      break;
-  }
-  return MotionKind::watch;
-}
-
-double seconds_of(Preset preset) {
-  switch (preset) {
-    case Preset::static_desk:
-      return 20;
-    case Preset::static_room:
-      return CameraPath::kLoopSeconds;
-    default:
-      return 30;
-  }
-}
-
-bool has_walkers(Preset preset) {
-  return preset == Preset::walking_xyz || preset == Preset::walking_halfsphere ||
-         preset == Preset::walking_rpy || preset == Preset::walking_static;
-}
-
-Person make_person(int number, std::uint64_t seed, Route route) {
-  const PersonAppearance appearance = random_appearance(number, seed);
-  return {appearance, Skeleton(appearance.measures), std::move(route)};
-}
-
-DynamicScene walkers(const Room& room, const BakedLight& light, std::uint64_t seed) {
-  std::vector<Person> people;
-  int number = 0;
-  for (Route& route : plan_walks(kPlannedSeconds, seed))
-    people.push_back(make_person(number++, seed, std::move(route)));
-  return {room.world, light, std::move(people), {}};
-}
-
-DynamicScene box_carrier(const Room& room, const BakedLight& light, std::uint64_t seed) {
-  BoxScript script = plan_box_carrier(kPlannedSeconds, seed);
-  std::vector<Person> people;
-  people.push_back(make_person(0, seed, std::move(script.route)));
-  std::vector<Prop> props;
-  props.push_back(carried_box(room, people[0].motion));
-  props.push_back(pushed_chair(room, people[0].motion, script.chair_start));
-  return {room.world, light, std::move(people), std::move(props)};
-}
-
-/// Empty if the preset or the settings have no people.
-std::optional<DynamicScene> make_dynamic_scene(Preset preset, const RenderSettings& settings,
-                                               const Room& room, const BakedLight& light) {
-  if (!settings.with_people) return std::nullopt;
-  if (has_walkers(preset)) return walkers(room, light, settings.seed);
-  if (preset == Preset::moving_box) return box_carrier(room, light, settings.seed);
-  return std::nullopt;
-}
 
 }  // namespace
-
-Preset preset_named(std::string_view name) {
-  std::string all;
-  for (const auto& [preset, word] : EnumNames<Preset>::values) {
-    if (name == word) return preset;
-    all += (all.empty() ? "" : ", ") + std::string(word);
-  }
-  throw Error("preset", "there is no preset \"" + std::string(name) + "\"", "choose one of " + all);
-}
 
 Camera default_render_camera() {
   Camera camera;
@@ -118,11 +37,11 @@ class RenderedSequence::Setup {
         settings(chosen_settings),
         camera(checked(settings.camera.value_or(default_render_camera()))),
         motion(motion_of(preset), settings.seed),
-        room(make_room(settings.seed, preset != Preset::moving_box)),
+        room(make_room(settings.seed, has_visitor_chair(preset))),
         scene(room.world.mesh, TreeQuality::good),
         light(room.world, scene),
         shader(room.world, light),
-        dynamic_scene(make_dynamic_scene(preset, settings, room, light)),
+        dynamic_scene(make_dynamic_scene(preset, settings.seed, settings.with_people, room, light)),
         rays(camera),
         renderer(rays, scene, shader),
         depth_sensor(camera) {}
@@ -194,6 +113,7 @@ RenderedFrame RenderedSequence::render(int index) const {
   frame.image.colour = setup_->colour_sensor.image(ideal.colour, kExposure, noise);
   frame.image.depth = setup_->depth_sensor.image(ideal.depth, ideal.infrared, noise);
   frame.mask = ideal.mask;
+  if (setup_->dynamic_scene && setup_->dynamic_scene->has_moving_props()) frame.moved = ideal.moved;
   frame.world_from_cam = world_from_cam(index);
   return frame;
 }

@@ -82,6 +82,12 @@ void SequenceWriter::write(int index, const RenderedFrame& frame) {
   write_png(partial_ / "rgb" / (stamp + ".png"), frame.image.colour);
   write_png(partial_ / "depth" / (stamp + ".png"), frame.image.depth);
   write_png(partial_ / "mask" / (stamp + ".png"), frame.mask);
+  if (!frame.moved.empty()) {
+    std::error_code problem;
+    fs::create_directories(partial_ / "moved", problem);
+    if (problem) cannot_write(folder_, problem.message());
+    write_png(partial_ / "moved" / (stamp + ".png"), frame.moved);
+  }
   entry = {stamp, frame.world_from_cam};
 }
 

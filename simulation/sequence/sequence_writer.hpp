@@ -9,9 +9,9 @@
 namespace stdc::simulation {
 
 /// Writes rendered frames as a folder in TUM RGB-D layout: rgb/, depth/, rgb.txt, depth.txt, groundtruth.txt,
-/// camera.yaml, and mask/ (255 = dynamic; a mask has the name of its colour image). All files go to a
-/// temporary folder beside the target, which is renamed when all is written: a sequence is never left half
-/// written.
+/// camera.yaml, mask/ (255 = dynamic; a mask has the name of its colour image), and moved/ for frames that
+/// have such a mask. All files go to a temporary folder beside the target, which is renamed when all is
+/// written: a sequence is never left half written.
 class SequenceWriter {
  public:
   /// @param overwrite  whether a sequence that is already there may be replaced

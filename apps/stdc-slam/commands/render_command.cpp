@@ -122,8 +122,8 @@ void add_render_command(CLI::App& app) {
   command
       ->add_option("--seed", options->seed, "Of textures, clutter, people and noise; same seed, same bytes")
       ->capture_default_str();
-  command->add_flag("--without-people", options->without_people,
-                    "Same room and camera motion, but nothing moves");
+  command->add_flag("--without-people,--static", options->without_people,
+                    "Same room and camera motion, without people and without anything that moves");
   command->add_flag("--motion-blur", options->motion_blur, "Expose for 1/60 s (6 times slower)");
   command->add_option("--camera", options->camera, "camera.yaml to render with, lens distortion included");
   command->add_option("--threads", options->threads, "How many; default: one for each core")
@@ -132,12 +132,14 @@ void add_render_command(CLI::App& app) {
   command->add_flag("--quiet", options->quiet, "No progress");
   command->footer(R"(
 The folder gets the layout of the TUM RGB-D benchmark: rgb/, depth/ (16 bit, 5000 per metre, 0 = missing),
-rgb.txt, depth.txt, groundtruth.txt, camera.yaml, and mask/ (255 = people and moving things).
+rgb.txt, depth.txt, groundtruth.txt, camera.yaml, and mask/ (255 = people, and things while they move).
+Presets in which things move also get moved/ (255 = people, and things that move at some time).
 
 Examples:
   stdc-slam render static-room --output /tmp/room
   stdc-slam render walking-xyz --output /tmp/walking --frames 300 --seed 7
-  stdc-slam render walking-xyz --output /tmp/alone --frames 300 --seed 7 --without-people)");
+  stdc-slam render walking-xyz --output /tmp/alone --frames 300 --seed 7 --without-people
+  stdc-slam render box-removed --output /tmp/clean --static)");
   command->callback([options] { render(*options); });
 }
 
