@@ -142,19 +142,20 @@ std::vector<std::uint8_t> MapMotion::shrink_mask(const cv::Mat& mask) const {
   return cells;
 }
 
-/// The cells that move, without the patches that are too small to be anything.
+/// The cells that move: patches in which enough surely do.
 cv::Mat MapMotion::moving_cells() const {
   cv::Mat cells(geometry_.height(), geometry_.width(), CV_8UC1, cv::Scalar(0));
   if (belief_.log_odds().empty()) return cells;
   for (std::size_t i = 0; i < cells.total(); ++i) cells.data[i] = belief_.moves(i) ? 255 : 0;
-  cv::Mat labels, statistics, centres;
-  const int count = cv::connectedComponentsWithStats(cells, labels, statistics, centres, 8, CV_32S);
-  std::vector<std::uint8_t> keep(static_cast<std::size_t>(count), 0);
-  for (int i = 1; i < count; ++i) {
-    keep[static_cast<std::size_t>(i)] = statistics.at<int>(i, cv::CC_STAT_AREA) >= settings_.min_cells ? 255 : 0;
+  cv::Mat labels;
+  const int count = cv::connectedComponents(cells, labels, 8, CV_32S);
+  const int* label = labels.ptr<int>();
+  std::vector<int> sure(static_cast<std::size_t>(count), 0);
+  for (std::size_t i = 0; i < cells.total(); ++i) {
+    sure[static_cast<std::size_t>(label[i])] += belief_.moves_surely(i) ? 1 : 0;
   }
   for (std::size_t i = 0; i < cells.total(); ++i) {
-    cells.data[i] = keep[static_cast<std::size_t>(labels.ptr<int>()[i])];
+    if (sure[static_cast<std::size_t>(label[i])] < settings_.min_cells) cells.data[i] = 0;
   }
   return cells;
 }

@@ -33,10 +33,12 @@ class MotionBelief {
 
   /// Nothing is known.
   void reset();
-  bool moves(std::size_t cell) const { return log_odds_[cell] > kThreshold; }
+  bool moves(std::size_t cell) const { return log_odds_[cell] > kWeak; }
+  bool moves_surely(std::size_t cell) const { return log_odds_[cell] > kSure; }
   const std::vector<float>& log_odds() const { return log_odds_; }
 
-  static constexpr float kThreshold = 0.5F;
+  // Hysteresis: what moves begins where that is sure and ends where it is unlikely.
+  static constexpr float kSure = 1.5F, kWeak = 0.3F;
 
  private:
   const GridGeometry& geometry_;

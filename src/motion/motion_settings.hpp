@@ -30,7 +30,7 @@ struct MotionSettings {
   STDC_SETTING(double, depth_tolerance_growth, 0.012, "1/m", 0, 0.1, "...and by this times z^2 more");
   STDC_SETTING(double, time_tolerance, 0.008, "s", 0, 0.1,
                "map: depth and pose may be so far apart in time, which blurs depth edges while the camera turns");
-  STDC_SETTING(int, min_cells, 12, "count", 1, 1000, "map: smaller patches (of about 4 x 4 px each) do not count");
+  STDC_SETTING(int, min_cells, 30, "count", 1, 1000, "map: smaller patches (of about 4 x 4 px each) do not count");
   STDC_SETTING(double, rest_time, 4, "s", 0.1, 600,
                "map: a thing that appeared belongs to the static scene after resting for so long");
   STDC_SETTING(int, views, 6, "count", 1, 32, "map: earlier views that a frame is compared with");
