@@ -1,12 +1,11 @@
 #include "motion/map_motion.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "segmentation/propagation/mask_settling.hpp"
+#include "segmentation/propagation/propagation_frame.hpp"
 #include "segmentation/propagation/tile_map.hpp"
 
 namespace stdc {
@@ -20,8 +19,8 @@ MapMotion::MapMotion(const Camera& camera, const MotionSettings& settings)
   check_ranges("motion", settings_);
 }
 
-MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<MaskTile>& tiles) {
-  MotionReport report;
+std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const std::vector<MaskTile>& tiles) {
+  std::vector<LandmarkId> gone;
   depth_ = input.depth;
   SceneFrame frame;
   frame.number = input.number;
@@ -48,28 +47,14 @@ MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<Mask
     scene_.choose(frame);
     std::vector<CellFinding> findings = scene_.compare(frame);
     if (recent_.size() >= kLag) scene_.find_receding(recent_.front(), frame, findings);
-    int agree = 0, differ = 0, with_depth = 0;
-    for (std::size_t i = 0; i < findings.size(); ++i) {
-      with_depth += frame.grid.depth[i] > 0 ? 1 : 0;
-      if (!belief_.log_odds().empty() && belief_.moves(i)) continue;
-      agree += findings[i].seen ? 1 : 0;
-      differ += !findings[i].seen && findings[i].fresh > 0 ? 1 : 0;
-    }
-    report.agreement = agree + differ > 0 ? static_cast<double>(agree) / (agree + differ) : 1;
-    report.known = with_depth > 0 ? static_cast<double>(agree + differ) / with_depth : 0;
     belief_.add(findings);
     belief_.add_opinion(segmented, 2);
     belief_.smooth(frame.grid);
-    if (std::getenv("MOTION_DEBUG")) {
-      FILE* f = std::fopen((std::string(std::getenv("MOTION_DEBUG")) + std::to_string(frame.number) + ".bin").c_str(), "wb");
-      for (std::size_t i = 0; i < findings.size(); ++i) {
-        float v[6] = {frame.grid.depth[i], float(findings[i].fresh), findings[i].known+(findings[i].recedes?10.f:0.f), findings[i].rest, belief_.log_odds()[i], static_cast<float>(scene_.views().size())};
-        std::fwrite(v, 4, 6, f);
-      }
-      std::fclose(f);
+    if (input.trusted) {
+      scene_.learn(frame);
+      remember(frame, findings, segmented);
+      gone = find_gone(frame, input.missing);
     }
-    scene_.learn(frame);
-    remember(frame, findings, segmented);
     recent_.push_back(frame);
     if (recent_.size() > kLag) recent_.pop_front();
   } else {
@@ -77,11 +62,46 @@ MotionReport MapMotion::observe(const MotionFrame& input, const std::vector<Mask
     belief_.add_opinion(segmented, 2);
     belief_.smooth(frame.grid);
   }
-  int dynamic = 0;
-  for (std::size_t i = 0; i < frame.grid.depth.size(); ++i) dynamic += belief_.moves(i) ? 1 : 0;
-  report.dynamic_share = static_cast<double>(dynamic) / geometry_.size();
   last_ = std::move(frame);
-  return report;
+  return gone;
+}
+
+/// Looked through with room to spare: the map's own error counts too.
+std::vector<LandmarkId> MapMotion::find_gone(const SceneFrame& frame,
+                                             const std::vector<MissingLandmark>& missing) const {
+  std::vector<LandmarkId> gone;
+  for (const MissingLandmark& landmark : missing) {
+    const Eigen::Vector3f point = (frame.cam_from_world * landmark.position).cast<float>();
+    if (!(point.z() > 0.1F)) continue;
+    const float x = geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x();
+    const float y = geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y();
+    const int u = static_cast<int>(std::lround(x)), v = static_cast<int>(std::lround(y));
+    if (u < 0 || v < 0 || u >= geometry_.width() || v >= geometry_.height()) continue;
+    const float near = frame.grid.near[static_cast<std::size_t>(v * geometry_.width() + u)];
+    if (near > point.z() + 1.5F * scene_.tolerance(point.z())) gone.push_back(landmark.id);
+  }
+  return gone;
+}
+
+std::optional<double> MapMotion::agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
+                                           const cv::Mat& expected) {
+  constexpr int kStep = 5, kMinKnown = 40;
+  std::vector<StaticScene::Sample> samples;
+  const auto metres_per_unit = static_cast<float>(1 / camera_.depth_units_per_metre);
+  for (int y = kStep / 2; y < geometry_.height(); y += kStep) {
+    for (int x = kStep / 2; x < geometry_.width(); x += kStep) {
+      const Eigen::Vector2f& raw =
+          geometry_.raw_pixels()[static_cast<std::size_t>(y * geometry_.width() + x)];
+      const int u = static_cast<int>(std::lround(raw.x())), v = static_cast<int>(std::lround(raw.y()));
+      if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) continue;
+      if (!expected.empty() && expected.at<std::uint8_t>(v, u) != 0) continue;
+      const float metres = metres_at(depth, u, v, metres_per_unit);
+      if (metres > 0) samples.push_back({x, y, metres});
+    }
+  }
+  const StaticScene::Agreement found = scene_.agreement(samples, cam_from_world, map);
+  if (found.known + found.fresh < kMinKnown) return std::nullopt;
+  return static_cast<double>(found.known) / (found.known + found.fresh);
 }
 
 /// A view is worth its memory if it shows what no other has, or if the others are old.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "atlas/atlas_snapshot.hpp"
+#include "atlas/missing_landmark.hpp"
 #include "core/camera.hpp"
 #include "motion/motion_belief.hpp"
 #include "motion/motion_settings.hpp"
@@ -21,17 +22,12 @@ struct MotionFrame {
   cv::Mat depth;         ///< as in RgbdImage; empty: none
   CameraMotion motion;
   std::optional<Pose> cam_from_world;  ///< nothing: the frame has no pose
+  bool trusted = false;                ///< the pose is good enough to learn from
   KeyframeId reference;                ///< if there is a pose: the keyframe it was tracked from...
   Pose frame_from_reference;           ///< ...and where it is relative to that
   MapId map;
+  std::vector<MissingLandmark> missing;  ///< landmarks that should have been seen
   cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
-};
-
-/// How well a frame's depth agrees with what is known.
-struct MotionReport {
-  double agreement = 1;      ///< share of the cells that something is known about which rest where they were
-  double known = 0;          ///< share of the cells with depth that something is known about
-  double dynamic_share = 0;  ///< of the cells
 };
 
 /// Motion method `map`: what is known of the static scene is compared with what is seen. A surface that
@@ -44,7 +40,13 @@ class MapMotion {
   void follow(const AtlasSnapshot& snapshot) { scene_.follow(snapshot); }
   /// The next frame.
   /// @param tiles  where the dynamic parts of the last frame are now; see MaskPropagator
-  MotionReport observe(const MotionFrame& frame, const std::vector<MaskTile>& tiles);
+  /// @returns the missing landmarks that it looks through: what they belonged to has gone
+  std::vector<LandmarkId> observe(const MotionFrame& frame, const std::vector<MaskTile>& tiles);
+  /// How far a pose of a frame agrees with what is known, beside what is expected to move; see MotionReport.
+  /// Cheap: looks at a sample. `depth`: of the frame, as in RgbdImage; `expected`: CV_8UC1, 255 = dynamic, or
+  /// empty.
+  std::optional<double> agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
+                                  const cv::Mat& expected);
   /// What moves in the frame: CV_8UC1 of the camera's size, 255 = dynamic.
   cv::Mat mask() const;
 
@@ -54,6 +56,8 @@ class MapMotion {
   std::vector<int> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
   cv::Mat moving_cells() const;
+  std::vector<LandmarkId> find_gone(const SceneFrame& frame,
+                                    const std::vector<MissingLandmark>& missing) const;
   void remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                 const std::vector<std::uint8_t>& segmented);
 

@@ -173,6 +173,34 @@ void StaticScene::learn_from(const SceneFrame& frame, SceneView& view) {
   if (changed) view.grid.find_extremes(geometry_.width(), geometry_.height());
 }
 
+StaticScene::Agreement StaticScene::agreement(const std::vector<Sample>& samples, const Pose& cam_from_world,
+                                              MapId map) const {
+  std::vector<std::uint8_t> known(samples.size(), 0), fresh(samples.size(), 0);
+  for (const std::size_t index : chosen_) {
+    if (index >= views_.size() || views_[index].map != map) continue;
+    const SceneView& view = views_[index];
+    const GridProjection project(view.view_from_world * cam_from_world.inverse(), geometry_);
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      float there = 0;
+      const int seen = project.cell(samples[s].column, samples[s].row, samples[s].depth, there);
+      if (seen < 0) continue;
+      const auto i = static_cast<std::size_t>(seen);
+      if (view.grid.near[i] == 0) continue;
+      if (there < view.grid.near[i] - tolerance(there)) {
+        fresh[s] = 1;
+      } else if (there < view.grid.far[i] + tolerance(there)) {
+        known[s] = 1;
+      }
+    }
+  }
+  Agreement result;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    result.known += known[s];
+    result.fresh += known[s] == 0 ? fresh[s] : 0;
+  }
+  return result;
+}
+
 void StaticScene::add(const SceneFrame& frame, std::vector<float> rest,
                       std::vector<std::uint8_t> doubtful) {
   SceneView view;
@@ -200,6 +228,8 @@ void StaticScene::add(const SceneFrame& frame, std::vector<float> rest,
     least = i;
   }
   views_.erase(views_.begin() + static_cast<std::ptrdiff_t>(least));
+  std::erase(chosen_, least);
+  for (std::size_t& index : chosen_) index -= index > least ? 1 : 0;
 }
 
 }  // namespace stdc

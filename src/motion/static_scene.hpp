@@ -69,6 +69,16 @@ class StaticScene {
                      std::vector<CellFinding>& findings) const;
   /// Surfaces of the chosen views that the frame sees again have rested longer; those it looks through go.
   void learn(const SceneFrame& frame);
+  /// A depth of a frame at a cell.
+  struct Sample {
+    int column = 0, row = 0;
+    float depth = 0;  ///< [m]
+  };
+  /// How many samples show a surface that a chosen view knows, and how many one in front of what all see.
+  struct Agreement {
+    int known = 0, fresh = 0;
+  };
+  Agreement agreement(const std::vector<Sample>& samples, const Pose& cam_from_world, MapId map) const;
   /// Remembers a frame. `rest`: how long each cell's surface has rested [s]; `doubtful`: see SceneView.
   void add(const SceneFrame& frame, std::vector<float> rest, std::vector<std::uint8_t> doubtful);
 

@@ -30,6 +30,12 @@ cv::Mat MotionThread::expected() {
   return expected_;
 }
 
+std::optional<double> MotionThread::agreement(const Pose& cam_from_world, MapId map,
+                                              const AtlasSnapshot& snapshot) {
+  motion_.follow(snapshot);
+  return motion_.agreement(cam_from_world, map, depth_, expected_);
+}
+
 void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
   worker_.wait();
   motion_.follow(snapshot);
@@ -37,7 +43,8 @@ void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
   frame.depth = depth_;
   worker_.start([this, frame = std::move(frame)] {
     Stopwatch watch;
-    report_ = motion_.observe(frame, propagator_.tiles());
+    const std::vector<LandmarkId> gone = motion_.observe(frame, propagator_.tiles());
+    gone_.insert(gone_.end(), gone.begin(), gone.end());
     found_ = motion_.mask();
     propagator_.set_mask(frame_, found_);
     milliseconds_ = carrying_ms_ + watch.lap_ms();

@@ -3,6 +3,8 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
@@ -30,8 +32,13 @@ class MotionThread {
   void observe(MotionFrame frame, const AtlasSnapshot& snapshot);
   /// What does, waiting for it; like expected().
   const cv::Mat& found();
-  /// Of the last frame that was observed; call found() before.
-  const MotionReport& report() const { return report_; }
+  /// Share of what is known of the static scene that a pose of the present frame explains; see MotionReport.
+  /// After expected(), before observe().
+  std::optional<double> agreement(const Pose& cam_from_world, MapId map, const AtlasSnapshot& snapshot);
+  /// Landmarks that the frames observed so far looked through, since the last call; after expected() or
+  /// found().
+  std::vector<LandmarkId> take_gone() { return std::exchange(gone_, {}); }
+  /// Wall time of the work for the last frame that was observed; after expected() or found().
   double milliseconds() const { return milliseconds_; }
 
  private:
@@ -40,7 +47,7 @@ class MotionThread {
   cv::Mat depth_;
   cv::Mat expected_, found_;
   int frame_ = 0;
-  MotionReport report_;
+  std::vector<LandmarkId> gone_;
   double carrying_ms_ = 0, milliseconds_ = 0;
   Worker worker_;  // last, so that it ends before what it works on
 };

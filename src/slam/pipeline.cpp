@@ -37,6 +37,7 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   TrackedFrame frame = extract(image, result);
   collect(result);
   result.status = locate(frame, result.milliseconds);
+  if (result.status == TrackingStatus::ok) judge(frame, result);
   if (motion_) observe_motion(frame, result);
   extend_map(frame, result);
   describe(frame, result);
@@ -88,6 +89,12 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
   }
   if (motion_) {
     const cv::Mat moving = motion_->expected();
+    note_gone();
+    result.motion.emplace();
+    result.motion->milliseconds = motion_->milliseconds();
+    if (!moving.empty()) {
+      result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
+    }
     if (!moving.empty()) mask = mask.empty() ? moving : cv::Mat(mask | moving);
   }
   result.milliseconds.mask_wait = watch.lap_ms();
@@ -144,12 +151,31 @@ TrackingStatus Pipeline::track_from_last(TrackedFrame& frame, StageTimes& times)
   return TrackingStatus::ok;
 }
 
+/// Whether a pose may be called right: the matches must determine it, and most of what is known of the static
+/// scene must be where it says. Were only the matches asked, a large thing that moves could outvote the room.
+void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
+  const bool starts_map = last_keyframe_frame_ == frame.index;
+  if (starts_map) return;
+  const Matrix6d covariance = frame.covariance(settings_.tracking);
+  const double sigma = std::sqrt(covariance.diagonal().head<3>().maxCoeff());
+  if (sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
+  if (!motion_) return;
+  const Pose cam_from_world = back_end_.snapshot().cam_from_world(
+      local_map_.reference, frame.cam_from_world * local_map_.reference_from_world.inverse());
+  result.motion->agreement = motion_->agreement(cam_from_world, active_map_, back_end_.snapshot());
+  if (result.motion->agreement.value_or(1) < settings_.motion.min_agreement) {
+    result.status = TrackingStatus::uncertain;
+  }
+}
+
 void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& result) {
   MotionFrame observed;
   observed.timestamp = frame.timestamp;
   observed.motion = frame.motion;
   observed.segmented = segmented_;
-  if (result.status == TrackingStatus::ok) {
+  observed.trusted = result.status == TrackingStatus::ok;
+  if (has_pose(result.status)) {
+    observed.missing = tracker_.missing();
     observed.reference = local_map_.reference;
     observed.frame_from_reference = frame.cam_from_world * local_map_.reference_from_world.inverse();
     observed.map = active_map_;
@@ -165,6 +191,20 @@ cv::Mat Pipeline::dynamic_mask() {
   if (!motion_) return segmented_;
   const cv::Mat& moving = motion_->found();
   return segmented_.empty() ? moving : cv::Mat(segmented_ | moving);
+}
+
+/// A landmark that frame after frame looks through is taken out of the map, when the atlas is at hand.
+void Pipeline::note_gone() {
+  constexpr int kVotes = 6;
+  for (const LandmarkId id : motion_->take_gone()) ++gone_votes_[id];
+  if (!back_end_.idle() || settings_.system.localisation_only) return;
+  Atlas& atlas = back_end_.atlas();
+  std::erase_if(gone_votes_, [&](const auto& vote) {
+    if (!atlas.has(vote.first)) return true;
+    if (vote.second < kVotes) return false;
+    atlas.remove(vote.first);
+    return true;
+  });
 }
 
 /// Nothing that moves may enter the map.
@@ -292,8 +332,9 @@ std::vector<FramePose> Pipeline::trajectory() const {
 void Pipeline::describe(const TrackedFrame& frame, TrackingResult& result) const {
   result.frame = frame.index;
   result.timestamp = frame.timestamp;
-  if (result.status == TrackingStatus::ok) {
+  if (has_pose(result.status)) {
     result.cam_from_world = frame.cam_from_world;
+    result.covariance = frame.covariance(settings_.tracking);
     result.map = active_map_;
   }
   result.matches = frame.matches;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -52,6 +53,8 @@ class Pipeline {
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
   void reject_dynamic(TrackingResult& result);
   void collect(TrackingResult& result);
+  void judge(const TrackedFrame& frame, TrackingResult& result);
+  void note_gone();
   void observe_motion(const TrackedFrame& frame, const TrackingResult& result);
   void mark_dynamic(TrackedFrame& frame);
   cv::Mat dynamic_mask();
@@ -77,6 +80,7 @@ class Pipeline {
   Relocaliser relocaliser_;
   LocalMap local_map_;
   cv::Mat segmented_;  ///< the present frame's mask of the segmenter; empty: none
+  std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark
   int observed_frame_ = -1;  ///< the last one whose motion was looked for
   int next_frame_ = 0;
   std::optional<double> last_time_;

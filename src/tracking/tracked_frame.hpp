@@ -7,6 +7,7 @@
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/frame_features.hpp"
+#include "tracking/tracking_settings.hpp"
 
 namespace stdc {
 
@@ -22,6 +23,7 @@ struct TrackedFrame {
   std::vector<LandmarkId> landmarks;       ///< per keypoint; invalid: none
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
   std::vector<std::uint8_t> dynamic;  ///< per keypoint: 1 if it lies on something that moves
+  Matrix6d information = Matrix6d::Zero();  ///< of the pose, see PoseOptimisationResult
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation
                     ///< with the local map
   int inliers = 0;  ///< landmarks that agree with the pose in the end
@@ -41,6 +43,8 @@ struct TrackedFrame {
     outlier.resize(features->size(), 0);
     dynamic.resize(features->size(), 0);
   }
+  /// Of the pose: of its matches and of the map. Left perturbation; translation [m], rotation [rad].
+  Matrix6d covariance(const TrackingSettings& settings) const;
   /// Takes another motion out of the measurements. `twist`: of cam_from_world, per second.
   void set_motion(const Camera& camera, const Vector6d& twist) {
     motion = CameraMotion(camera, twist);

@@ -75,6 +75,7 @@ std::vector<FrameMatch> Tracker::optimise(TrackedFrame& frame, std::vector<Frame
       estimator_.estimate(observations, frame.cam_from_world, motion_prior(frame));
   if (!result.usable) return {};
   frame.cam_from_world = result.cam_from_world;
+  frame.information = result.information;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (result.inlier[i] != 0) matches[kept++] = matches[i];
@@ -113,6 +114,7 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   frame.inliers =
       static_cast<int>(inliers.size() - std::count_if(inliers.begin(), inliers.end(), is_temporary));
   count(local_map, visible, inliers);
+  note_missing(local_map, visible, matches);
   return static_cast<int>(inliers.size()) >= min_inliers;
 }
 
@@ -121,6 +123,20 @@ void Tracker::count(const LocalMap& local_map, const std::vector<int>& visible,
   for (const int landmark : visible) counts_.push_back({local_map.landmarks[landmark].id, 1, 0});
   for (const FrameMatch& match : inliers) {
     if (match.landmark >= 0) counts_.push_back({local_map.landmarks[match.landmark].id, 0, 1});
+  }
+}
+
+/// What should have been seen and matched nothing may have been taken away.
+void Tracker::note_missing(const LocalMap& local_map, const std::vector<int>& visible,
+                           const std::vector<FrameMatch>& matches) {
+  std::vector<std::uint8_t> matched(local_map.landmarks.size(), 0);
+  for (const FrameMatch& match : matches) {
+    if (match.landmark >= 0) matched[match.landmark] = 1;
+  }
+  missing_.clear();
+  for (const int landmark : visible) {
+    if (matched[landmark] != 0) continue;
+    missing_.push_back({local_map.landmarks[landmark].id, local_map.landmarks[landmark].position});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "atlas/atlas.hpp"
+#include "atlas/missing_landmark.hpp"
 #include "estimation/sensor_model.hpp"
 #include "tracking/frame_matching.hpp"
 #include "tracking/local_map.hpp"
@@ -48,6 +49,8 @@ class Tracker {
   void flush_counts(Atlas& atlas);
   /// Or drops them: the map is to stay as it is.
   void drop_counts() { counts_.clear(); }
+  /// Landmarks that the last frame refined should have seen and matched nothing.
+  const std::vector<MissingLandmark>& missing() const { return missing_; }
 
  private:
   Pose predict(double timestamp) const;
@@ -58,6 +61,9 @@ class Tracker {
   PosePrior motion_prior(const TrackedFrame& frame) const;
   void count(const LocalMap& local_map, const std::vector<int>& visible,
              const std::vector<FrameMatch>& inliers);
+
+  void note_missing(const LocalMap& local_map, const std::vector<int>& visible,
+                    const std::vector<FrameMatch>& matches);
 
   struct Count {
     LandmarkId landmark;
@@ -74,6 +80,7 @@ class Tracker {
   Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
   bool velocity_known_ = false;
   std::vector<Count> counts_;
+  std::vector<MissingLandmark> missing_;
 };
 
 }  // namespace stdc

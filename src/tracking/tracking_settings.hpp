@@ -39,6 +39,12 @@ struct TrackingSettings {
                "Usual acceleration of the camera, for the motion prior");
   STDC_SETTING(double, angular_acceleration_sigma, 40, "rad/s^2", 0.01, 1e6,
                "Usual angular acceleration of the camera");
+  STDC_SETTING(double, covariance_scale, 2, "ratio", 0.1, 100,
+               "Of the sigmas that the matches of a frame alone would give");
+  STDC_SETTING(double, map_position_sigma, 0.002, "m", 0, 1, "What the map adds to a pose's uncertainty...");
+  STDC_SETTING(double, map_rotation_sigma, 0.001, "rad", 0, 1, "...and to that of its rotation");
+  STDC_SETTING(double, max_position_sigma, 0.03, "m", 0.001, 10,
+               "A pose that is known no better is uncertain");
   STDC_SETTING(int, local_keyframes, 60, "count", 2, 1000, "Max keyframes of the local map");
 };
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -34,9 +36,28 @@ std::string segmentation_columns(const std::optional<SegmentationReport>& report
   return text + fmt::format(",{:.3f},{:.3f}", report->propagation_ms, report->refinement_ms);
 }
 
+/// Sigmas in the direction in which least is known.
+std::string sigma_columns(const std::optional<Matrix6d>& covariance) {
+  if (!covariance) return ",,";
+  const auto largest = [](const Eigen::Matrix3d& block) {
+    return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block, Eigen::EigenvaluesOnly)
+                         .eigenvalues()
+                         .maxCoeff());
+  };
+  return fmt::format(",{:.6f},{:.6f}", largest(covariance->topLeftCorner<3, 3>()),
+                     largest(covariance->bottomRightCorner<3, 3>()));
+}
+
+std::string motion_columns(const std::optional<MotionReport>& report) {
+  if (!report) return ",,,";
+  return fmt::format(",{:.4f},{},{:.3f}", report->dynamic_share,
+                     report->agreement ? fmt::format("{:.3f}", *report->agreement) : "",
+                     report->milliseconds);
+}
+
 std::string loop_columns(const std::optional<LoopReport>& loop) {
-  if (!loop) return ",,\n";
-  return fmt::format(",{},{:.3f}\n", loop->merged ? "merge" : "loop",
+  if (!loop) return ",,";
+  return fmt::format(",{},{:.3f}", loop->merged ? "merge" : "loop",
                      loop->detection_ms + loop->correction_ms);
 }
 
@@ -58,7 +79,7 @@ std::string csv_row(const TrackingResult& r) {
   } else {
     row += ",,,,,,";
   }
-  return row + loop_columns(r.loop);
+  return row + loop_columns(r.loop) + sigma_columns(r.covariance) + motion_columns(r.motion) + "\n";
 }
 
 }  // namespace
@@ -69,6 +90,8 @@ const char* status_name(TrackingStatus status) {
       return "initialising";
     case TrackingStatus::ok:
       return "ok";
+    case TrackingStatus::uncertain:
+      return "uncertain";
     case TrackingStatus::lost:
       return "lost";
     case TrackingStatus::skipped:
@@ -91,6 +114,9 @@ void RunRecord::add(const TrackingResult& result, std::optional<double> lag_ms) 
     case TrackingStatus::ok:
       ++counts_.ok;
       break;
+    case TrackingStatus::uncertain:
+      ++counts_.uncertain;
+      break;
     case TrackingStatus::lost:
       ++counts_.lost;
       break;
@@ -105,7 +131,8 @@ std::string RunRecord::frames_csv() const {
   for (const Stage& stage : kStages) text += fmt::format(",{}_ms", stage.name);
   text += ",dynamic_share,mask_age,segmentation_ms,propagation_ms,refinement_ms";
   text += ",mapping_ms,bundle_adjustment_ms,bundle_keyframes,bundle_landmarks,bundle_observations";
-  text += ",place_recognition_ms,loop,loop_ms\n";
+  text += ",place_recognition_ms,loop,loop_ms,position_sigma_m,rotation_sigma_rad";
+  text += ",moving_share,agreement,motion_ms\n";
   for (const TrackingResult& result : results_) text += csv_row(result);
   return text;
 }
@@ -137,7 +164,7 @@ nlohmann::ordered_json RunRecord::mapping() const {
 std::vector<FramePose> RunRecord::tracked_poses() const {
   std::vector<FramePose> poses;
   for (const TrackingResult& result : results_) {
-    if (!result.cam_from_world) continue;
+    if (result.status != TrackingStatus::ok) continue;
     poses.push_back({result.frame, result.timestamp, result.cam_from_world->inverse(), result.map});
   }
   return poses;

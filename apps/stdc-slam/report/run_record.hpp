@@ -13,8 +13,8 @@ namespace stdc::app {
 
 /// How many frames ended in each status.
 struct StatusCounts {
-  int ok = 0, lost = 0, initialising = 0, skipped = 0;
-  int total() const { return ok + lost + initialising + skipped; }
+  int ok = 0, uncertain = 0, lost = 0, initialising = 0, skipped = 0;
+  int total() const { return ok + uncertain + lost + initialising + skipped; }
 };
 
 const char* status_name(TrackingStatus status);

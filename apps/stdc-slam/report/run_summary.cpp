@@ -53,6 +53,7 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
       {"frames",
        {{"total", counts.total()},
         {"ok", counts.ok},
+        {"uncertain", counts.uncertain},
         {"lost", counts.lost},
         {"initialising", counts.initialising},
         {"skipped", counts.skipped},
@@ -96,6 +97,7 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   std::string text = fmt::format("{}: {} frames, {} with a pose ({:.1f} %)", summary.sequence, counts.total(),
                                  summary.poses, 100 * coverage(summary, record));
   if (summary.poses_elsewhere > 0) text += fmt::format(", {} in other maps", summary.poses_elsewhere);
+  if (counts.uncertain > 0) text += fmt::format(", {} uncertain", counts.uncertain);
   if (counts.lost > 0) text += fmt::format(", {} lost", counts.lost);
   if (counts.initialising > 0) text += fmt::format(", {} initialising", counts.initialising);
   if (counts.skipped > 0) text += fmt::format(", {} skipped", counts.skipped);
