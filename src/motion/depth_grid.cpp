@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "segmentation/propagation/propagation_frame.hpp"
-
 namespace stdc {
 namespace {
 
@@ -131,6 +128,18 @@ DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const 
   }
   grid.find_extremes(geometry.width(), geometry.height());
   return grid;
+}
+
+std::vector<std::uint8_t> sample_grey(const GridGeometry& geometry, const SmallImage& squares) {
+  std::vector<std::uint8_t> grey(static_cast<std::size_t>(geometry.size()), 0);
+  const auto scale = static_cast<float>(geometry.scale());
+  for (std::size_t i = 0; i < grey.size(); ++i) {
+    const Eigen::Vector2f& raw = geometry.raw_pixels()[i];
+    const int x = static_cast<int>(std::floor((raw.x() + 0.5F) / scale));
+    const int y = static_cast<int>(std::floor((raw.y() + 0.5F) / scale));
+    if (x >= 0 && y >= 0 && x < squares.width() && y < squares.height()) grey[i] = squares.row(y)[x];
+  }
+  return grey;
 }
 
 }  // namespace stdc

@@ -7,6 +7,7 @@
 
 #include "core/camera.hpp"
 #include "core/camera_motion.hpp"
+#include "segmentation/propagation/propagation_frame.hpp"
 
 namespace stdc {
 
@@ -46,6 +47,7 @@ class GridGeometry {
 struct DepthGrid {
   std::vector<float> depth, near, far;
   int reach = 1;
+  std::vector<std::uint8_t> grey;  ///< brightness of each cell; empty: not known
 
   void find_extremes(int width, int height);
 };
@@ -57,5 +59,7 @@ struct DepthGrid {
 ///                        turns
 DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const CameraMotion& motion,
                       const cv::Mat& depth, double time_tolerance);
+/// The brightness of the cells, of an image that was shrunk to squares of `scale` pixels.
+std::vector<std::uint8_t> sample_grey(const GridGeometry& geometry, const SmallImage& squares);
 
 }  // namespace stdc

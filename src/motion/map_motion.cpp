@@ -19,7 +19,8 @@ MapMotion::MapMotion(const Camera& camera, const MotionSettings& settings)
   check_ranges("motion", settings_);
 }
 
-std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const std::vector<MaskTile>& tiles) {
+std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const SmallFrame& small,
+                                           const std::vector<MaskTile>& tiles) {
   std::vector<LandmarkId> gone;
   depth_ = input.depth;
   SceneFrame frame;
@@ -30,6 +31,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const std::
   frame.map = input.map;
   frame.grid = sample_grid(geometry_, camera_, input.motion, input.depth,
                            settings_.time_tolerance);
+  frame.grid.grey = sample_grey(geometry_, small.levels[0]);
   if (input.cam_from_world) {
     frame.cam_from_world = *input.cam_from_world;
   } else if (last_) {

@@ -39,9 +39,11 @@ class MapMotion {
   /// Keyframes may have moved.
   void follow(const AtlasSnapshot& snapshot) { scene_.follow(snapshot); }
   /// The next frame.
+  /// @param small  the same frame, shrunk
   /// @param tiles  where the dynamic parts of the last frame are now; see MaskPropagator
   /// @returns the missing landmarks that it looks through: what they belonged to has gone
-  std::vector<LandmarkId> observe(const MotionFrame& frame, const std::vector<MaskTile>& tiles);
+  std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
+                                  const std::vector<MaskTile>& tiles);
   /// How far a pose of a frame agrees with what is known, beside what is expected to move; see MotionReport.
   /// Cheap: looks at a sample. `depth`: of the frame, as in RgbdImage; `expected`: CV_8UC1, 255 = dynamic, or
   /// empty.

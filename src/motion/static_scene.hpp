@@ -91,8 +91,9 @@ class StaticScene {
   }
 
  private:
-  struct Projection;
   void learn_from(const SceneFrame& frame, SceneView& view);
+  std::vector<float> changed_share(const SceneFrame& frame, const SceneView& view,
+                                   const std::vector<int>& again) const;
 
   const GridGeometry& geometry_;
   MotionSettings settings_;

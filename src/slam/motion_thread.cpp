@@ -43,7 +43,7 @@ void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
   frame.depth = depth_;
   worker_.start([this, frame = std::move(frame)] {
     Stopwatch watch;
-    const std::vector<LandmarkId> gone = motion_.observe(frame, propagator_.tiles());
+    const std::vector<LandmarkId> gone = motion_.observe(frame, propagator_.newest(), propagator_.tiles());
     gone_.insert(gone_.end(), gone.begin(), gone.end());
     found_ = motion_.mask();
     propagator_.set_mask(frame_, found_);

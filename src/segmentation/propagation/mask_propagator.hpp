@@ -65,6 +65,8 @@ class MaskPropagator {
   cv::Mat mask() const;
   /// The parts of the mask where the newest frame has them.
   const std::vector<MaskTile>& tiles() const { return tiles_; }
+  /// The newest frame, shrunk; there must be one.
+  const SmallFrame& newest() const { return steps_.back().frame; }
   /// Frames from the mask's own to the newest.
   int age() const;
 
