@@ -50,6 +50,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     std::vector<CellFinding> findings = scene_.compare(frame);
     if (recent_.size() >= kLag) scene_.find_receding(recent_.front(), frame, findings);
     belief_.add(findings);
+    belief_.add_opinion(cells_of(input.moving), 2);
     belief_.add_opinion(segmented, 2);
     belief_.smooth(frame.grid);
     if (input.trusted) {
@@ -151,6 +152,23 @@ std::vector<int> MapMotion::sources(const std::vector<MaskTile>& tiles) const {
     }
   }
   return source;
+}
+
+/// The cells of some raw pixels, each with those around it.
+std::vector<std::uint8_t> MapMotion::cells_of(const std::vector<Eigen::Vector2f>& pixels) const {
+  std::vector<std::uint8_t> cells(static_cast<std::size_t>(geometry_.size()), 0);
+  const auto scale = static_cast<float>(geometry_.scale());
+  for (const Eigen::Vector2f& pixel : pixels) {
+    const int x = static_cast<int>((pixel.x() + 0.5F) / scale);
+    const int y = static_cast<int>((pixel.y() + 0.5F) / scale);
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, geometry_.height() - 1); ++v) {
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, geometry_.width() - 1); ++u) {
+        const int cell = geometry_.cell_of_square()[static_cast<std::size_t>(v * geometry_.width() + u)];
+        if (cell >= 0) cells[static_cast<std::size_t>(cell)] = 1;
+      }
+    }
+  }
+  return cells;
 }
 
 /// Of each cell whether the middle of it is in a mask.

@@ -27,6 +27,7 @@ struct MotionFrame {
   Pose frame_from_reference;           ///< ...and where it is relative to that
   MapId map;
   std::vector<MissingLandmark> missing;  ///< landmarks that should have been seen
+  std::vector<Eigen::Vector2f> moving;   ///< raw pixels of keypoints that were found to move
   cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
 };
 
@@ -56,6 +57,7 @@ class MapMotion {
 
  private:
   std::vector<int> sources(const std::vector<MaskTile>& tiles) const;
+  std::vector<std::uint8_t> cells_of(const std::vector<Eigen::Vector2f>& pixels) const;
   std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
   cv::Mat moving_cells() const;
   std::vector<LandmarkId> find_gone(const SceneFrame& frame,

@@ -12,11 +12,21 @@
 
 namespace stdc {
 
+namespace {
+
+TrackingSettings tracking_settings(const Settings& settings) {
+  TrackingSettings tracking = settings.tracking;
+  tracking.moving_groups = tracking.moving_groups && settings.motion.method == MotionMethod::map;
+  return tracking;
+}
+
+}  // namespace
+
 Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
     : sensor_{camera, settings.noise},
       settings_(settings),
       extractor_(settings.features),
-      tracker_({sensor_, settings.pose_optimisation}, settings.tracking),
+      tracker_({sensor_, settings.pose_optimisation}, tracking_settings(settings)),
       relocaliser_(settings.tracking),
       back_end_(camera, settings) {
   if (segmenter) {
@@ -176,6 +186,10 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
   observed.trusted = result.status == TrackingStatus::ok;
   if (has_pose(result.status)) {
     observed.missing = tracker_.missing();
+    for (int i = 0; i < frame.features->size(); ++i) {
+      const Keypoint& keypoint = frame.features->keypoint(i);
+      if (frame.dynamic[i] != 0) observed.moving.emplace_back(keypoint.x, keypoint.y);
+    }
     observed.reference = local_map_.reference;
     observed.frame_from_reference = frame.cam_from_world * local_map_.reference_from_world.inverse();
     observed.map = active_map_;
