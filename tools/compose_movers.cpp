@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <opencv2/core.hpp>
 
 #include "core/image_codec.hpp"
@@ -58,10 +59,10 @@ simulation::RecordedPath recorded_path(const TumSequence& sequence) {
   return path;
 }
 
-/// As near as needed to be seen: nearer than nine tenths of what was recorded, within the sensor's range.
-double free_distance(const TumSequence& sequence, const Camera& camera) {
+/// As near as needed to be seen, from `nearest` to `farthest` [m]: nearer than nine tenths of what was
+/// recorded.
+double free_distance(const TumSequence& sequence, const Camera& camera, double nearest, double farthest) {
   constexpr int kLooks = 12;
-  constexpr double kNearest = 0.6, kFarthest = 1.0;
   std::vector<std::uint16_t> depths;
   const std::size_t count = sequence.frames().size();
   for (std::size_t i = 0; i < count; i += std::max<std::size_t>(1, count / kLooks)) {
@@ -72,10 +73,10 @@ double free_distance(const TumSequence& sequence, const Camera& camera) {
       }
     }
   }
-  if (depths.empty()) return kFarthest;
+  if (depths.empty()) return farthest;
   const auto tenth = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 10);
   std::nth_element(depths.begin(), tenth, depths.end());
-  return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, kNearest, kFarthest);
+  return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, nearest, farthest);
 }
 
 void write_bytes(const fs::path& path, const char* data, std::size_t size) {
@@ -175,9 +176,10 @@ void compose(const Options& options) {
       find_camera(sequence, options.camera.empty() ? std::nullopt : std::optional<fs::path>(options.camera));
   simulation::PassageSettings settings = options.passage;
   settings.mover = mover_named(options.mover);
-  settings.distance = options.distance > 0                                ? options.distance
-                      : settings.mover == simulation::PastedMover::person ? 1.5
-                                                                          : free_distance(sequence, camera);
+  const bool person = settings.mover == simulation::PastedMover::person;
+  settings.distance = options.distance > 0 ? options.distance
+                      : person             ? free_distance(sequence, camera, 0.9, 1.5)
+                                           : free_distance(sequence, camera, 0.6, 1.0);
   Composer composer(sequence, camera, options.output);
   const simulation::Room room = simulation::make_room(settings.seed, false);
   const simulation::RayScene scene(room.world.mesh, simulation::TreeQuality::good);
@@ -185,25 +187,23 @@ void compose(const Options& options) {
   const simulation::SurfaceShader shader(room.world, light);
   const simulation::Passage passage(settings, recorded_path(sequence), camera, room, light);
   const simulation::MoverPaster paster(camera, shader);
-  double sum = 0, most = 0;
-  int seen = 0;
   const auto count = static_cast<int>(sequence.frames().size());
+  std::vector<double> shares(sequence.frames().size(), 0);
   for (int i = 0; i < count; ++i) {
     if (i < passage.first() || i >= passage.last()) {
       composer.keep(i);
-      continue;
+    } else {
+      shares[i] = composer.paste(i, passage, paster, settings.seed);
     }
-    const double share = composer.paste(i, passage, paster, settings.seed);
-    if (share > 0) ++seen;
-    sum += share;
-    most = std::max(most, share);
   }
   composer.finish();
-  fmt::print(
-      "{} at {:.2f} m in {} of {} frames (passage {} to {}), covers {:.0f} % on average and {:.0f} % at "
-      "most: {}\n",
-      options.mover, settings.distance, seen, count, passage.first(), passage.last() - 1,
-      seen > 0 ? 100 * sum / seen : 0, 100 * most, options.output);
+  // The mean is that of the middle of the passage: at its ends the mover comes in and goes.
+  const int middle = std::min(settings.frames, passage.last() - passage.first());
+  const auto from = shares.begin() + (passage.first() + passage.last() - middle) / 2;
+  fmt::print("{}: {} at {:.2f} m, frames {} to {} of {}, covers {:.0f} % on average and {:.0f} % at most\n",
+             options.output, options.mover, settings.distance, passage.first(), passage.last() - 1, count,
+             100 * std::accumulate(from, from + middle, 0.0) / middle,
+             100 * *std::max_element(shares.begin(), shares.end()));
 }
 
 int run(int argc, char** argv) {
@@ -223,7 +223,7 @@ int run(int argc, char** argv) {
                  "Frame in which the passage begins; default: in the middle")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--distance", options.distance,
-                 "From the camera [m]; default: person 1.5, else up to 1, before what was recorded")
+                 "From the camera [m]; default: before what was recorded, person 0.9 to 1.5, else 0.6 to 1")
       ->check(CLI::Range(0.2, 5.0));
   app.add_option("--seed", options.passage.seed, "Of textures and noise")->capture_default_str();
   app.add_option("--camera", options.camera, "camera.yaml; default: as stdc-slam run finds it");

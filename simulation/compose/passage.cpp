@@ -146,7 +146,7 @@ struct Planner {
   }
 
   Prop box() const {
-    const double reach = half_view() + kBoxSide;
+    const double reach = half_view() + kBoxSide + 0.15;
     const auto at = [&](double t) {
       return before(mean_camera(cameras, times, times[first] + t), reach * (2 * t / seconds() - 1),
                     0.02 * wave(t, 1.9), settings.distance) *
