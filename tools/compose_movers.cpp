@@ -59,10 +59,10 @@ simulation::RecordedPath recorded_path(const TumSequence& sequence) {
   return path;
 }
 
-/// As near as needed to be seen, from `nearest` to `farthest` [m]: nearer than nine tenths of what was
-/// recorded.
-double free_distance(const TumSequence& sequence, const Camera& camera, double nearest, double farthest) {
+/// The distance at which a mover hides nearly all that was recorded, at most `farthest` [m].
+double free_distance(const TumSequence& sequence, const Camera& camera, double farthest) {
   constexpr int kLooks = 12;
+  constexpr double kNearest = 0.6;  // the sensor sees nothing before 0.5 m
   std::vector<std::uint16_t> depths;
   const std::size_t count = sequence.frames().size();
   for (std::size_t i = 0; i < count; i += std::max<std::size_t>(1, count / kLooks)) {
@@ -76,7 +76,7 @@ double free_distance(const TumSequence& sequence, const Camera& camera, double n
   if (depths.empty()) return farthest;
   const auto tenth = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 10);
   std::nth_element(depths.begin(), tenth, depths.end());
-  return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, nearest, farthest);
+  return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, kNearest, farthest);
 }
 
 void write_bytes(const fs::path& path, const char* data, std::size_t size) {
@@ -176,10 +176,8 @@ void compose(const Options& options) {
       find_camera(sequence, options.camera.empty() ? std::nullopt : std::optional<fs::path>(options.camera));
   simulation::PassageSettings settings = options.passage;
   settings.mover = mover_named(options.mover);
-  const bool person = settings.mover == simulation::PastedMover::person;
-  settings.distance = options.distance > 0 ? options.distance
-                      : person             ? free_distance(sequence, camera, 0.9, 1.5)
-                                           : free_distance(sequence, camera, 0.6, 1.0);
+  const double farthest = settings.mover == simulation::PastedMover::person ? 1.5 : 1.0;
+  settings.distance = options.distance > 0 ? options.distance : free_distance(sequence, camera, farthest);
   Composer composer(sequence, camera, options.output);
   const simulation::Room room = simulation::make_room(settings.seed, false);
   const simulation::RayScene scene(room.world.mesh, simulation::TreeQuality::good);
@@ -223,7 +221,8 @@ int run(int argc, char** argv) {
                  "Frame in which the passage begins; default: in the middle")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--distance", options.distance,
-                 "From the camera [m]; default: before what was recorded, person 0.9 to 1.5, else 0.6 to 1")
+                 "From the camera, along its gaze [m]; default: 1, person 1.5, or less to be before what was "
+                 "recorded")
       ->check(CLI::Range(0.2, 5.0));
   app.add_option("--seed", options.passage.seed, "Of textures and noise")->capture_default_str();
   app.add_option("--camera", options.camera, "camera.yaml; default: as stdc-slam run finds it");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "simulation/scene/colour.hpp"
@@ -142,7 +142,9 @@ PastedFrame MoverPaster::paste(const RgbdImage& recorded, const Pose& world_from
   const cv::Mat hidden = (metres > 0) & (metres < ideal.depth);
   PastedFrame frame{{recorded.timestamp, {}, {}}, ideal.moved & ~hidden};
   cv::Mat share = covered(ideal, world_from_cam, mover);
-  share.setTo(0, hidden);
+  cv::Mat seen;  // outlines reach one pixel beyond
+  cv::dilate(frame.mask, seen, cv::Mat::ones(3, 3, CV_8U));
+  share.setTo(0, hidden | ~seen);
   frame.image.colour = pasted_colour(recorded, ideal, share, seed);
   frame.image.depth = pasted_depth(recorded, ideal, frame.mask, seed);
   return frame;
