@@ -5,14 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <numeric>
-#include <opencv2/core.hpp>
 
-#include "core/image_codec.hpp"
-#include "input/camera_file.hpp"
+#include "composed_sequence.hpp"
 #include "input/layouts/tum_sequence.hpp"
-#include "simulation/compose/mover_paster.hpp"
 #include "simulation/compose/passage.hpp"
 #include "simulation/sequence/camera_path.hpp"
 
@@ -79,97 +75,6 @@ double free_distance(const TumSequence& sequence, const Camera& camera, double f
   return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, kNearest, farthest);
 }
 
-void write_bytes(const fs::path& path, const char* data, std::size_t size) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(data, static_cast<std::streamsize>(size));
-  file.close();
-  if (!file)
-    throw Error(path.string(), "cannot be written", "check the folder's permissions and the free space");
-}
-
-void write_png(const fs::path& path, const cv::Mat& image) {
-  const std::vector<std::uint8_t> bytes = encode_png(image, PngEffort::fast);
-  write_bytes(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
-}
-
-/// Writes a composed sequence beside its place and moves it there when it is complete.
-class Composer {
- public:
-  Composer(const TumSequence& sequence, const Camera& camera, const fs::path& output)
-      : sequence_(sequence), camera_(camera), output_(fs::absolute(output).lexically_normal()) {
-    if (!output_.has_filename()) output_ = output_.parent_path();
-    if (fs::exists(output_))
-      throw Error(output_.string(), "is there already", "remove it or choose another folder");
-    partial_ = output_.parent_path() / fmt::format(".{}.partial", output_.filename().string());
-    fs::remove_all(partial_);
-    for (const char* part : {"rgb", "depth", "mask"}) fs::create_directories(partial_ / part);
-    names_.resize(sequence.frames().size());
-  }
-  ~Composer() {
-    std::error_code ignored;
-    fs::remove_all(partial_, ignored);
-  }
-  Composer(const Composer&) = delete;
-  Composer& operator=(const Composer&) = delete;
-
-  /// The frame with the mover in it. Returns the share of the view that it covers.
-  double paste(int index, const simulation::Passage& passage, const simulation::MoverPaster& paster,
-               std::uint64_t seed) {
-    const SequenceFrame& frame = sequence_.frames()[index];
-    RgbdImage recorded = load_frame(frame, camera_);
-    if (recorded.colour.channels() != 3)
-      throw Error(frame.colour.string(), "is grey", "movers are pasted into colour images only");
-    const auto mover = passage.mover(index);
-    const simulation::PastedFrame pasted =
-        paster.paste(recorded, passage.room_from_cam(index), *mover, seed * 1000003ULL + index);
-    const int count = cv::countNonZero(pasted.mask);
-    if (count == 0) {
-      keep(index);
-      return 0;
-    }
-    const std::string name = frame.colour.stem().string() + ".png",
-                      depth = frame.depth.stem().string() + ".png";
-    write_png(partial_ / "rgb" / name, pasted.image.colour);
-    write_png(partial_ / "depth" / depth, pasted.image.depth);
-    write_png(partial_ / "mask" / name, pasted.mask);
-    names_[index] = {"rgb/" + name, "depth/" + depth};
-    return static_cast<double>(count) / static_cast<double>(pasted.mask.total());
-  }
-
-  /// The frame as it was recorded, byte by byte.
-  void keep(int index) {
-    const SequenceFrame& frame = sequence_.frames()[index];
-    fs::copy_file(frame.colour, partial_ / "rgb" / frame.colour.filename());
-    fs::copy_file(frame.depth, partial_ / "depth" / frame.depth.filename());
-    write_png(partial_ / "mask" / (frame.colour.stem().string() + ".png"),
-              cv::Mat::zeros(camera_.height, camera_.width, CV_8UC1));
-    names_[index] = {"rgb/" + frame.colour.filename().string(), "depth/" + frame.depth.filename().string()};
-  }
-
-  void finish() {
-    std::string colour = "# color images\n# timestamp filename\n",
-                depth = "# depth maps\n# timestamp filename\n";
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const SequenceFrame& frame = sequence_.frames()[i];
-      colour += fmt::format("{:.6f} {}\n", frame.timestamp, names_[i].first);
-      depth += fmt::format("{:.6f} {}\n", frame.depth_timestamp, names_[i].second);
-    }
-    write_bytes(partial_ / "rgb.txt", colour.data(), colour.size());
-    write_bytes(partial_ / "depth.txt", depth.data(), depth.size());
-    const std::string yaml = "# Lengths in pixels.\n" + format_camera(camera_);
-    write_bytes(partial_ / "camera.yaml", yaml.data(), yaml.size());
-    if (sequence_.has_ground_truth())
-      fs::copy_file(sequence_.folder() / "groundtruth.txt", partial_ / "groundtruth.txt");
-    fs::rename(partial_, output_);
-  }
-
- private:
-  const TumSequence& sequence_;
-  const Camera& camera_;
-  fs::path output_, partial_;
-  std::vector<std::pair<std::string, std::string>> names_;  ///< colour and depth, as in the lists
-};
-
 void compose(const Options& options) {
   const TumSequence sequence(options.sequence);
   const Camera camera =
@@ -178,7 +83,7 @@ void compose(const Options& options) {
   settings.mover = mover_named(options.mover);
   const double farthest = settings.mover == simulation::PastedMover::person ? 1.5 : 1.0;
   settings.distance = options.distance > 0 ? options.distance : free_distance(sequence, camera, farthest);
-  Composer composer(sequence, camera, options.output);
+  ComposedSequence composed(sequence, camera, options.output);
   const simulation::Room room = simulation::make_room(settings.seed, false);
   const simulation::RayScene scene(room.world.mesh, simulation::TreeQuality::good);
   const simulation::BakedLight light(room.world, scene);
@@ -189,12 +94,12 @@ void compose(const Options& options) {
   std::vector<double> shares(sequence.frames().size(), 0);
   for (int i = 0; i < count; ++i) {
     if (i < passage.first() || i >= passage.last()) {
-      composer.keep(i);
+      composed.keep(i);
     } else {
-      shares[i] = composer.paste(i, passage, paster, settings.seed);
+      shares[i] = composed.paste(i, passage, paster, settings.seed);
     }
   }
-  composer.finish();
+  composed.finish();
   // The mean is that of the middle of the passage: at its ends the mover comes in and goes.
   const int middle = std::min(settings.frames, passage.last() - passage.first());
   const auto from = shares.begin() + (passage.first() + passage.last() - middle) / 2;
