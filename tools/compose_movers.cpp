@@ -5,13 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <opencv2/core.hpp>
+#include <numeric>
 
-#include "core/image_codec.hpp"
-#include "input/camera_file.hpp"
+#include "composed_sequence.hpp"
 #include "input/layouts/tum_sequence.hpp"
-#include "simulation/compose/mover_paster.hpp"
 #include "simulation/compose/passage.hpp"
 #include "simulation/sequence/camera_path.hpp"
 
@@ -58,10 +55,10 @@ simulation::RecordedPath recorded_path(const TumSequence& sequence) {
   return path;
 }
 
-/// As near as needed to be seen: nearer than nine tenths of what was recorded, within the sensor's range.
-double free_distance(const TumSequence& sequence, const Camera& camera) {
+/// The distance at which a mover hides nearly all that was recorded, at most `farthest` [m].
+double free_distance(const TumSequence& sequence, const Camera& camera, double farthest) {
   constexpr int kLooks = 12;
-  constexpr double kNearest = 0.6, kFarthest = 1.0;
+  constexpr double kNearest = 0.6;  // the sensor sees nothing before 0.5 m
   std::vector<std::uint16_t> depths;
   const std::size_t count = sequence.frames().size();
   for (std::size_t i = 0; i < count; i += std::max<std::size_t>(1, count / kLooks)) {
@@ -72,102 +69,11 @@ double free_distance(const TumSequence& sequence, const Camera& camera) {
       }
     }
   }
-  if (depths.empty()) return kFarthest;
+  if (depths.empty()) return farthest;
   const auto tenth = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 10);
   std::nth_element(depths.begin(), tenth, depths.end());
-  return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, kNearest, kFarthest);
+  return std::clamp(0.95 * *tenth / camera.depth_units_per_metre, kNearest, farthest);
 }
-
-void write_bytes(const fs::path& path, const char* data, std::size_t size) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(data, static_cast<std::streamsize>(size));
-  file.close();
-  if (!file)
-    throw Error(path.string(), "cannot be written", "check the folder's permissions and the free space");
-}
-
-void write_png(const fs::path& path, const cv::Mat& image) {
-  const std::vector<std::uint8_t> bytes = encode_png(image, PngEffort::fast);
-  write_bytes(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
-}
-
-/// Writes a composed sequence beside its place and moves it there when it is complete.
-class Composer {
- public:
-  Composer(const TumSequence& sequence, const Camera& camera, const fs::path& output)
-      : sequence_(sequence), camera_(camera), output_(fs::absolute(output).lexically_normal()) {
-    if (!output_.has_filename()) output_ = output_.parent_path();
-    if (fs::exists(output_))
-      throw Error(output_.string(), "is there already", "remove it or choose another folder");
-    partial_ = output_.parent_path() / fmt::format(".{}.partial", output_.filename().string());
-    fs::remove_all(partial_);
-    for (const char* part : {"rgb", "depth", "mask"}) fs::create_directories(partial_ / part);
-    names_.resize(sequence.frames().size());
-  }
-  ~Composer() {
-    std::error_code ignored;
-    fs::remove_all(partial_, ignored);
-  }
-  Composer(const Composer&) = delete;
-  Composer& operator=(const Composer&) = delete;
-
-  /// The frame with the mover in it. Returns the share of the view that it covers.
-  double paste(int index, const simulation::Passage& passage, const simulation::MoverPaster& paster,
-               std::uint64_t seed) {
-    const SequenceFrame& frame = sequence_.frames()[index];
-    RgbdImage recorded = load_frame(frame, camera_);
-    if (recorded.colour.channels() != 3)
-      throw Error(frame.colour.string(), "is grey", "movers are pasted into colour images only");
-    const auto mover = passage.mover(index);
-    const simulation::PastedFrame pasted =
-        paster.paste(recorded, passage.room_from_cam(index), *mover, seed * 1000003ULL + index);
-    const int count = cv::countNonZero(pasted.mask);
-    if (count == 0) {
-      keep(index);
-      return 0;
-    }
-    const std::string name = frame.colour.stem().string() + ".png",
-                      depth = frame.depth.stem().string() + ".png";
-    write_png(partial_ / "rgb" / name, pasted.image.colour);
-    write_png(partial_ / "depth" / depth, pasted.image.depth);
-    write_png(partial_ / "mask" / name, pasted.mask);
-    names_[index] = {"rgb/" + name, "depth/" + depth};
-    return static_cast<double>(count) / static_cast<double>(pasted.mask.total());
-  }
-
-  /// The frame as it was recorded, byte by byte.
-  void keep(int index) {
-    const SequenceFrame& frame = sequence_.frames()[index];
-    fs::copy_file(frame.colour, partial_ / "rgb" / frame.colour.filename());
-    fs::copy_file(frame.depth, partial_ / "depth" / frame.depth.filename());
-    write_png(partial_ / "mask" / (frame.colour.stem().string() + ".png"),
-              cv::Mat::zeros(camera_.height, camera_.width, CV_8UC1));
-    names_[index] = {"rgb/" + frame.colour.filename().string(), "depth/" + frame.depth.filename().string()};
-  }
-
-  void finish() {
-    std::string colour = "# color images\n# timestamp filename\n",
-                depth = "# depth maps\n# timestamp filename\n";
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const SequenceFrame& frame = sequence_.frames()[i];
-      colour += fmt::format("{:.6f} {}\n", frame.timestamp, names_[i].first);
-      depth += fmt::format("{:.6f} {}\n", frame.depth_timestamp, names_[i].second);
-    }
-    write_bytes(partial_ / "rgb.txt", colour.data(), colour.size());
-    write_bytes(partial_ / "depth.txt", depth.data(), depth.size());
-    const std::string yaml = "# Lengths in pixels.\n" + format_camera(camera_);
-    write_bytes(partial_ / "camera.yaml", yaml.data(), yaml.size());
-    if (sequence_.has_ground_truth())
-      fs::copy_file(sequence_.folder() / "groundtruth.txt", partial_ / "groundtruth.txt");
-    fs::rename(partial_, output_);
-  }
-
- private:
-  const TumSequence& sequence_;
-  const Camera& camera_;
-  fs::path output_, partial_;
-  std::vector<std::pair<std::string, std::string>> names_;  ///< colour and depth, as in the lists
-};
 
 void compose(const Options& options) {
   const TumSequence sequence(options.sequence);
@@ -175,35 +81,32 @@ void compose(const Options& options) {
       find_camera(sequence, options.camera.empty() ? std::nullopt : std::optional<fs::path>(options.camera));
   simulation::PassageSettings settings = options.passage;
   settings.mover = mover_named(options.mover);
-  settings.distance = options.distance > 0                                ? options.distance
-                      : settings.mover == simulation::PastedMover::person ? 1.5
-                                                                          : free_distance(sequence, camera);
-  Composer composer(sequence, camera, options.output);
+  const double farthest = settings.mover == simulation::PastedMover::person ? 1.5 : 1.0;
+  settings.distance = options.distance > 0 ? options.distance : free_distance(sequence, camera, farthest);
+  ComposedSequence composed(sequence, camera, options.output);
   const simulation::Room room = simulation::make_room(settings.seed, false);
   const simulation::RayScene scene(room.world.mesh, simulation::TreeQuality::good);
   const simulation::BakedLight light(room.world, scene);
   const simulation::SurfaceShader shader(room.world, light);
   const simulation::Passage passage(settings, recorded_path(sequence), camera, room, light);
   const simulation::MoverPaster paster(camera, shader);
-  double sum = 0, most = 0;
-  int seen = 0;
   const auto count = static_cast<int>(sequence.frames().size());
+  std::vector<double> shares(sequence.frames().size(), 0);
   for (int i = 0; i < count; ++i) {
     if (i < passage.first() || i >= passage.last()) {
-      composer.keep(i);
-      continue;
+      composed.keep(i);
+    } else {
+      shares[i] = composed.paste(i, passage, paster, settings.seed);
     }
-    const double share = composer.paste(i, passage, paster, settings.seed);
-    if (share > 0) ++seen;
-    sum += share;
-    most = std::max(most, share);
   }
-  composer.finish();
-  fmt::print(
-      "{} at {:.2f} m in {} of {} frames (passage {} to {}), covers {:.0f} % on average and {:.0f} % at "
-      "most: {}\n",
-      options.mover, settings.distance, seen, count, passage.first(), passage.last() - 1,
-      seen > 0 ? 100 * sum / seen : 0, 100 * most, options.output);
+  composed.finish();
+  // The mean is that of the middle of the passage: at its ends the mover comes in and goes.
+  const int middle = std::min(settings.frames, passage.last() - passage.first());
+  const auto from = shares.begin() + (passage.first() + passage.last() - middle) / 2;
+  fmt::print("{}: {} at {:.2f} m, frames {} to {} of {}, covers {:.0f} % on average and {:.0f} % at most\n",
+             options.output, options.mover, settings.distance, passage.first(), passage.last() - 1, count,
+             100 * std::accumulate(from, from + middle, 0.0) / middle,
+             100 * *std::max_element(shares.begin(), shares.end()));
 }
 
 int run(int argc, char** argv) {
@@ -223,7 +126,8 @@ int run(int argc, char** argv) {
                  "Frame in which the passage begins; default: in the middle")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--distance", options.distance,
-                 "From the camera [m]; default: person 1.5, else up to 1, before what was recorded")
+                 "From the camera, along its gaze [m]; default: 1, person 1.5, or less to be before what was "
+                 "recorded")
       ->check(CLI::Range(0.2, 5.0));
   app.add_option("--seed", options.passage.seed, "Of textures and noise")->capture_default_str();
   app.add_option("--camera", options.camera, "camera.yaml; default: as stdc-slam run finds it");

@@ -1,7 +1,9 @@
 #include "simulation/compose/mover_paster.hpp"
 
+#include <algorithm>
 #include <array>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "simulation/scene/colour.hpp"
 
@@ -31,6 +33,30 @@ bool on_outline(const cv::Mat& mask, int x, int y) {
          (x + 1 < mask.cols && mask.at<std::uint8_t>(y, x + 1) != here) ||
          (y > 0 && mask.at<std::uint8_t>(y - 1, x) != here) ||
          (y + 1 < mask.rows && mask.at<std::uint8_t>(y + 1, x) != here);
+}
+
+/// Recorded depth [m] to compare with. A hole counts as the nearer of the surfaces beside it in its row, so
+/// that nothing shows through a dark screen that stands before it; 0 in rows without any depth.
+cv::Mat without_holes(const cv::Mat& recorded, double units_per_metre) {
+  constexpr float kNone = 1e9F;
+  cv::Mat depth;
+  recorded.convertTo(depth, CV_32F, 1 / units_per_metre);
+  std::vector<float> from_right(static_cast<std::size_t>(depth.cols));
+  for (int y = 0; y < depth.rows; ++y) {
+    auto* z = depth.ptr<float>(y);
+    float near = kNone;
+    for (int x = depth.cols - 1; x >= 0; --x) from_right[x] = near = z[x] > 0 ? z[x] : near;
+    near = kNone;
+    for (int x = 0; x < depth.cols; ++x) {
+      if (z[x] > 0) {
+        near = z[x];
+      } else {
+        const float beside = std::min(near, from_right[x]);
+        z[x] = beside < kNone ? beside : 0;
+      }
+    }
+  }
+  return depth;
 }
 
 }  // namespace
@@ -112,12 +138,13 @@ cv::Mat MoverPaster::pasted_depth(const RgbdImage& recorded, const IdealImage& i
 PastedFrame MoverPaster::paste(const RgbdImage& recorded, const Pose& world_from_cam,
                                const MovingObjects& mover, std::uint64_t seed) const {
   const IdealImage ideal = renderer_.render(world_from_cam, &mover);
-  cv::Mat metres;
-  recorded.depth.convertTo(metres, CV_32F, 1 / camera_.depth_units_per_metre);
+  const cv::Mat metres = without_holes(recorded.depth, camera_.depth_units_per_metre);
   const cv::Mat hidden = (metres > 0) & (metres < ideal.depth);
   PastedFrame frame{{recorded.timestamp, {}, {}}, ideal.moved & ~hidden};
   cv::Mat share = covered(ideal, world_from_cam, mover);
-  share.setTo(0, hidden);
+  cv::Mat seen;  // outlines reach one pixel beyond
+  cv::dilate(frame.mask, seen, cv::Mat::ones(3, 3, CV_8U));
+  share.setTo(0, hidden | ~seen);
   frame.image.colour = pasted_colour(recorded, ideal, share, seed);
   frame.image.depth = pasted_depth(recorded, ideal, frame.mask, seed);
   return frame;

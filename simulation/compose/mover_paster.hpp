@@ -19,9 +19,9 @@ struct PastedFrame {
 };
 
 /// Pastes rendered movers into recorded frames: a pixel shows the mover where it is nearer than the recorded
-/// depth, or where that is missing. Outlines are antialiased; colour and depth get the noise of the simulated
-/// sensors, and the recorded depth gets the hole that the mover's shadow leaves in a structured-light sensor.
-/// The mover casts no visible shadow on the recorded scene.
+/// depth; a hole in that counts as the nearer of the surfaces beside it. Outlines are antialiased; colour and
+/// depth get the noise of the simulated sensors, and the recorded depth gets the hole that the mover's shadow
+/// leaves in a structured-light sensor. The mover casts no visible shadow on the recorded scene.
 class MoverPaster {
  public:
   /// @param shader  of any world; nothing of that world is seen. Kept by reference

@@ -23,14 +23,19 @@ constexpr double kBoxSide = 0.4;     // [m]
 constexpr double kWalkSpeed = 0.75;  // [m/s]
 const Vector3d kStand(0, -2.55, 0);  // where the mean camera of the passage stands in the room
 
+/// Mean direction in which the cameras of some frames look, a unit vector.
+Vector3d mean_gaze(const std::vector<Pose>& world_from_cam, int first, int last) {
+  Vector3d gaze = Vector3d::Zero();
+  for (int i = first; i < last; ++i) gaze += world_from_cam[i].rotation * Vector3d::UnitZ();
+  return gaze.normalized();
+}
+
 /// Turns about the vertical and shifts along the floor, so that the mean camera of some frames stands at
 /// kStand and looks along +y: the middle of the room, where there is light and space.
 Pose room_from_world(const std::vector<Pose>& world_from_cam, int first, int last) {
-  Vector3d centre = Vector3d::Zero(), gaze = Vector3d::Zero();
-  for (int i = first; i < last; ++i) {
-    centre += world_from_cam[i].translation / (last - first);
-    gaze += world_from_cam[i].rotation * Vector3d::UnitZ();
-  }
+  Vector3d centre = Vector3d::Zero();
+  for (int i = first; i < last; ++i) centre += world_from_cam[i].translation / (last - first);
+  const Vector3d gaze = mean_gaze(world_from_cam, first, last);
   const Eigen::Quaterniond turn = about_z(std::numbers::pi / 2 - std::atan2(gaze.y(), gaze.x()));
   Vector3d shift = kStand - turn * centre;
   shift.z() = 0;
@@ -146,7 +151,7 @@ struct Planner {
   }
 
   Prop box() const {
-    const double reach = half_view() + kBoxSide;
+    const double reach = half_view() + kBoxSide + 0.15;
     const auto at = [&](double t) {
       return before(mean_camera(cameras, times, times[first] + t), reach * (2 * t / seconds() - 1),
                     0.02 * wave(t, 1.9), settings.distance) *
@@ -162,9 +167,10 @@ struct Planner {
   }
 };
 
-Route walk_across(const PassageSettings& settings, const Camera& camera) {
+/// @param level  cosine of the angle by which the camera looks down: the distance is measured along its gaze
+Route walk_across(const PassageSettings& settings, const Camera& camera, double level) {
   const double reach = settings.distance * camera.width / (2 * camera.fx) + 0.6;
-  const double y = kStand.y() + settings.distance;
+  const double y = kStand.y() + settings.distance * level;
   Route route({{-reach, y}, std::numbers::pi / 2});
   route.walk({{reach, y}}, kWalkSpeed);
   return route;
@@ -175,7 +181,7 @@ Route walk_across(const PassageSettings& settings, const Camera& camera) {
 Passage::Passage(const PassageSettings& settings, const RecordedPath& path, const Camera& camera,
                  const Room& room, const BakedLight& light) {
   const auto count = static_cast<int>(path.times.size());
-  Route route = walk_across(settings, camera);
+  Route route = walk_across(settings, camera, mean_gaze(path.world_from_cam, 0, count).head<2>().norm());
   int length = settings.frames;
   if (settings.mover == PastedMover::person)
     length = static_cast<int>(std::ceil(route.end() * camera.frames_per_second));

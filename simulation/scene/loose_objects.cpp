@@ -18,14 +18,15 @@ Mesh board_mesh(const Room& room) {
                 {0, 0, height}, print);
   };
   for (int i = 0; i < 4; ++i) {
-    pin(m.posters.pick(i + 1), (i % 2 - 0.5) * 0.62, kBoardHeight / 2 + (i / 2 - 0.5) * 0.78, 0.5, 0.68, 1);
+    const int column = i % 2, row = i / 2;
+    pin(m.posters.pick(i + 1), (column - 0.5) * 0.62, kBoardHeight / 2 + (row - 0.5) * 0.78, 0.5, 0.68, 1);
   }
   Random random(7, 13);
   constexpr int kColumns = 7, kRows = 5;
   for (int i = 0; i < kColumns * kRows; ++i) {  // notes and pages, some over the edges of the posters
-    const double x = ((i % kColumns + 0.5) / kColumns - 0.5) * (kBoardWidth - 0.1) +
-                     random.uniform(-0.04, 0.04),
-                 z = (i / kColumns + 0.5) / kRows * (kBoardHeight - 0.1) + 0.05 + random.uniform(-0.06, 0.06);
+    const int column = i % kColumns, row = i / kColumns;
+    const double x = ((column + 0.5) / kColumns - 0.5) * (kBoardWidth - 0.1) + random.uniform(-0.04, 0.04),
+                 z = (row + 0.5) / kRows * (kBoardHeight - 0.1) + 0.05 + random.uniform(-0.06, 0.06);
     const double size = random.uniform(0.07, 0.13);
     const Finish print = random.below(2) == 0 ? m.pages.pick(random.next()) : m.notes.pick(random.next());
     if (random.below(3) != 0) pin(print, x, z, size, 1.2 * size, 2);

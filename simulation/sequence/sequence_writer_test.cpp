@@ -72,6 +72,19 @@ TEST_F(SequenceWriterTest, WritesTheTumLayout) {
   EXPECT_TRUE(empty_but_for(out.parent_path(), 1));  // nothing left beside it
 }
 
+TEST_F(SequenceWriterTest, WritesMovedOnlyForFramesThatHaveIt) {
+  for (const bool has_moved : {false, true}) {
+    const fs::path out = root_ / (has_moved ? "with" : "without");
+    SequenceWriter writer(out, Camera(), 1, false);
+    RenderedFrame one = frame(1, 20);
+    if (has_moved) one.moved = one.mask;
+    writer.write(0, one);
+    writer.finish();
+    EXPECT_EQ(fs::exists(out / "moved"), has_moved);
+    EXPECT_EQ(fs::exists(out / "moved/1.000000.png"), has_moved);
+  }
+}
+
 TEST_F(SequenceWriterTest, LeavesNothingWhenItIsAbandoned) {
   {
     SequenceWriter writer(root_ / "sequence", Camera(), 2, false);
