@@ -1,5 +1,6 @@
 #include "tracking/moving_groups.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,63 +9,108 @@
 namespace stdc {
 namespace {
 
-struct Residual {
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Matrix36d = Eigen::Matrix<double, 3, 6>;
+
+/// One match: its residual (pixel, inverse depth) and weights, and how both depend on the pose.
+struct Term {
   int match = 0;
-  float x = 0, y = 0;  ///< measured minus projected [px]
+  Vector3d point;     ///< in the camera [m]
+  Eigen::Vector2d pixel;
+  Vector3d residual;  ///< measured minus projected [px, px, 1/m]; 0 where no depth was measured
+  Vector3d weight;    ///< 1 / sigma^2
 };
 
-float median(std::vector<float> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Derivative of the projection by a left perturbation of the pose.
+Matrix36d jacobian_at(const Camera& camera, const Vector3d& point) {
+  const double z = 1 / point.z();
+  Matrix3d by_point;
+  by_point << camera.fx * z, 0, -camera.fx * point.x() * z * z,  //
+      0, camera.fy * z, -camera.fy * point.y() * z * z,          //
+      0, 0, -z * z;
+  Matrix36d jacobian;
+  jacobian.leftCols<3>() = by_point;
+  jacobian.rightCols<3>() = -by_point * skew(point);
+  return jacobian;
 }
 
-/// Whether the residuals of a group are a shift rather than noise.
-bool is_shifted(const std::vector<Residual>& group) {
+Term make_term(const SensorModel& sensor, const TrackedFrame& frame, const FrameMatch& match, int index) {
+  Term term;
+  term.match = index;
+  term.point = frame.cam_from_world * match.position;
+  term.pixel = sensor.camera.project(term.point);
+  const Measurement& measurement = frame.measurements[match.keypoint];
+  const double pixel_sigma = sensor.noise.pixel_sigma * measurement.scale;
+  const double depth_sigma = sensor.noise.inverse_depth_sigma;
+  const bool has_depth = measurement.depth > 0;
+  term.residual << measurement.pixel.cast<double>() - term.pixel,
+      has_depth ? 1 / static_cast<double>(measurement.depth) - 1 / term.point.z() : 0;
+  term.weight << 1 / (pixel_sigma * pixel_sigma), 1 / (pixel_sigma * pixel_sigma),
+      has_depth ? 1 / (depth_sigma * depth_sigma) : 0;
+  return term;
+}
+
+/// Whether a group contradicts the pose that the others give.
+bool contradicts(const Camera& camera, const Matrix6d& information, const std::vector<const Term*>& group) {
   constexpr std::size_t kMinSize = 5;
-  constexpr float kMinShift = 1.2F;  // [px] systematic errors of the map and of the lens are below that
+  constexpr double kMinShift = 1.5;  // [px]
+  constexpr double kMapError = 0.7;  // [px] the map's own errors do not average out in a group
+  constexpr double kGate = 13.8;     // chi-square, 2 degrees, 99.9 %
   if (group.size() < kMinSize) return false;
-  std::vector<float> x, y;
-  for (const Residual& r : group) {
-    x.push_back(r.x);
-    y.push_back(r.y);
+  Vector3d centre = Vector3d::Zero(), weight = Vector3d::Zero(), residual = Vector3d::Zero();
+  for (const Term* term : group) {
+    centre += term->point;
+    weight += term->weight;
+    residual += term->weight.cwiseProduct(term->residual);
   }
-  const float shift_x = median(x), shift_y = median(y);
-  const float shift = std::hypot(shift_x, shift_y);
-  if (shift < kMinShift) return false;
-  std::vector<float> apart;
-  for (const Residual& r : group) apart.push_back(std::hypot(r.x - shift_x, r.y - shift_y));
-  return median(apart) < 0.6F * shift;
+  centre /= static_cast<double>(group.size());
+  for (int i = 0; i < 3; ++i) residual[i] = weight[i] > 0 ? residual[i] / weight[i] : 0;
+  const Matrix36d jacobian = jacobian_at(camera, centre);
+  const Matrix6d others = information - jacobian.transpose() * weight.asDiagonal() * jacobian;
+  const Eigen::FullPivLU<Matrix6d> factors(others);
+  if (!factors.isInvertible()) return false;
+  const Matrix6d covariance = factors.inverse();
+  // Most of what is known of the pose comes from this group: there is nothing to judge it by.
+  if (!(covariance.diagonal().minCoeff() > 0)) return false;
+  const Matrix3d influence = jacobian * covariance * jacobian.transpose();
+  const Vector3d deleted = residual + influence * weight.cwiseProduct(residual);
+  Eigen::Matrix2d expected = influence.topLeftCorner<2, 2>();
+  expected.diagonal() += weight.head<2>().cwiseInverse() + Eigen::Vector2d::Constant(kMapError * kMapError);
+  const Eigen::Vector2d shift = deleted.head<2>();
+  return shift.norm() > kMinShift && shift.dot(expected.inverse() * shift) > kGate;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> find_moving_groups(const Camera& camera, const TrackedFrame& frame,
-                                             const std::vector<FrameMatch>& matches) {
-  constexpr int kColumns = 8;
-  constexpr double kDepthStep = 0.3;  // of the logarithm: a third
-  const double side = static_cast<double>(camera.width) / kColumns;
-  std::map<std::array<int, 3>, std::vector<Residual>> groups;
-  for (int i = 0; i < static_cast<int>(matches.size()); ++i) {
-    const Eigen::Vector3d point = frame.cam_from_world * matches[static_cast<std::size_t>(i)].position;
-    if (!(point.z() > 0.05)) continue;
-    const Measurement& measurement =
-        frame.measurements[static_cast<std::size_t>(matches[static_cast<std::size_t>(i)].keypoint)];
-    const Eigen::Vector2d pixel = camera.project(point);
-    const Eigen::Vector2f residual = measurement.pixel - pixel.cast<float>();
-    const std::array<int, 3> key{static_cast<int>(std::floor(pixel.x() / side)),
-                                 static_cast<int>(std::floor(pixel.y() / side)),
-                                 static_cast<int>(std::floor(std::log(point.z()) / kDepthStep))};
-    groups[key].push_back({i, residual.x(), residual.y()});
+std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                             const std::vector<FrameMatch>& inliers) {
+  std::vector<std::uint8_t> moving(inliers.size(), 0);
+  if (!(frame.information.diagonal().minCoeff() > 0)) return moving;
+  std::vector<Term> terms;
+  for (int i = 0; i < static_cast<int>(inliers.size()); ++i) {
+    terms.push_back(make_term(sensor, frame, inliers[static_cast<std::size_t>(i)], i));
+    if (!(terms.back().point.z() > 0.05)) terms.pop_back();
   }
-  std::vector<std::uint8_t> moving(matches.size(), 0);
-  std::size_t count = 0;
-  for (const auto& [key, group] : groups) {
-    if (!is_shifted(group)) continue;
-    for (const Residual& r : group) moving[static_cast<std::size_t>(r.match)] = 1;
-    count += group.size();
+  // Overlapping squares and ranges of depth, so that most things lie within one.
+  constexpr double kColumns = 4, kDepthStep = 0.3;  // depth by its logarithm
+  const double side = static_cast<double>(sensor.camera.width) / kColumns;
+  for (int variant = 0; variant < 8; ++variant) {
+    const double dx = (variant & 1) * 0.5, dy = ((variant >> 1) & 1) * 0.5, dz = (variant >> 2) * 0.5;
+    std::map<std::array<int, 3>, std::vector<const Term*>> groups;
+    for (const Term& term : terms) {
+      groups[{static_cast<int>(std::floor(term.pixel.x() / side + dx)),
+              static_cast<int>(std::floor(term.pixel.y() / side + dy)),
+              static_cast<int>(std::floor(std::log(term.point.z()) / kDepthStep + dz))}]
+          .push_back(&term);
+    }
+    for (const auto& [key, group] : groups) {
+      if (!contradicts(sensor.camera, frame.information, group)) continue;
+      for (const Term* term : group) moving[static_cast<std::size_t>(term->match)] = 1;
+    }
   }
-  if (2 * count > matches.size()) std::fill(moving.begin(), moving.end(), 0);
+  const auto count = std::count(moving.begin(), moving.end(), 1);
+  if (2 * static_cast<std::size_t>(count) > inliers.size()) std::fill(moving.begin(), moving.end(), 0);
   return moving;
 }
 

@@ -3,20 +3,26 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/camera.hpp"
+#include "estimation/sensor_model.hpp"
 #include "tracking/frame_matching.hpp"
 #include "tracking/tracked_frame.hpp"
 
 namespace stdc {
 
-/// Finds matches that agree with their neighbours but not with the frame's pose: keypoints near to each other
-/// in the image and in depth, whose residuals all point the same way. Each may be within the gate of the pose
-/// optimisation, and a hundred of them on something that has just begun to move then pull the pose by
-/// centimetres; together they are beyond doubt. (Residuals that are consistent within a region as a sign of
-/// motion: Jaimez et al., 'Fast Odometry and Scene Flow from RGB-D Cameras', ICRA 2017.)
+/// Finds matches that agree with their neighbours but not with what the others say about the pose: keypoints
+/// near to each other in the image and in depth. Each may be within the gate of the pose optimisation, and
+/// ten of them on a box nearby, which say more about the position than hundreds on the wall behind, then pull
+/// the pose by centimetres when the box begins to move.
+///
+/// A group is judged by its deleted residual, that from a pose found without it, which follows from the
+/// group's leverage alone (Cook and Weisberg, Residuals and Influence in Regression, 1982, ch. 2). That a
+/// region's residuals are consistent marks what moves (Jaimez et al., 'Fast Odometry and Scene Flow from
+/// RGB-D Cameras', ICRA 2017).
+/// @param frame    with its pose and the information of that
+/// @param inliers  matches that the pose was found from
 /// @returns per match 1 if it belongs to a group that moves; all 0 if most would: which party rests cannot be
 ///          told from the matches alone
-std::vector<std::uint8_t> find_moving_groups(const Camera& camera, const TrackedFrame& frame,
-                                             const std::vector<FrameMatch>& matches);
+std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                             const std::vector<FrameMatch>& inliers);
 
 }  // namespace stdc

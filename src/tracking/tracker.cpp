@@ -100,7 +100,7 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   // corners.
   align_matches(estimator_.sensor, local_map, inliers, frame);
   inliers = optimise(frame, std::move(inliers));
-  if (settings_.moving_groups) inliers = drop_moving_groups(frame, matches, std::move(inliers));
+  if (settings_.moving_groups) inliers = drop_moving_groups(frame, std::move(inliers));
   if (last_ && frame.motion.readout_time != 0) {
     frame.set_motion(camera(), velocity_to(frame));
     inliers = optimise(frame, std::move(inliers));
@@ -122,20 +122,17 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
 
 /// Takes out what moves, and finds the pose again without it.
 std::vector<FrameMatch> Tracker::drop_moving_groups(TrackedFrame& frame,
-                                                    const std::vector<FrameMatch>& matches,
                                                     std::vector<FrameMatch> inliers) const {
   constexpr int kRounds = 2;  // a better pose may show more
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<std::uint8_t> moving = find_moving_groups(camera(), frame, matches);
-    bool any = false;
-    for (std::size_t i = 0; i < matches.size(); ++i) {
-      if (moving[i] == 0) continue;
-      any |= frame.dynamic[matches[i].keypoint] == 0;
-      frame.dynamic[matches[i].keypoint] = 1;
+    const std::vector<std::uint8_t> moving = find_moving_groups(estimator_.sensor, frame, inliers);
+    std::vector<FrameMatch> resting;
+    for (std::size_t i = 0; i < inliers.size(); ++i) {
+      if (moving[i] == 0) resting.push_back(inliers[i]);
+      frame.dynamic[inliers[i].keypoint] |= moving[i];
     }
-    if (!any) break;
-    std::erase_if(inliers, [&](const FrameMatch& match) { return frame.dynamic[match.keypoint] != 0; });
-    inliers = optimise(frame, std::move(inliers));
+    if (resting.size() == inliers.size()) break;
+    inliers = optimise(frame, std::move(resting));
   }
   return inliers;
 }
