@@ -51,12 +51,14 @@ Term make_term(const SensorModel& sensor, const TrackedFrame& frame, const Frame
   return term;
 }
 
-/// Whether a group contradicts the pose that the others give.
-bool contradicts(const Camera& camera, const Matrix6d& information, const std::vector<const Term*>& group) {
+/// Whether a group contradicts the pose that the others give. `blur` [px]: errors that the motion of the
+/// camera adds to a whole group.
+bool contradicts(const Camera& camera, const Matrix6d& information, double blur,
+                 const std::vector<const Term*>& group) {
   constexpr std::size_t kMinSize = 5;
   constexpr double kMinShift = 1.5;  // [px]
-  constexpr double kMapError = 0.7;  // [px] the map's own errors do not average out in a group
-  constexpr double kGate = 13.8;     // chi-square, 2 degrees, 99.9 %
+  constexpr double kMapError = 0.45;  // [px] the map's own errors do not average out in a group either
+  constexpr double kGate = 9.2;       // chi-square, 2 degrees, 99 %
   if (group.size() < kMinSize) return false;
   Vector3d centre = Vector3d::Zero(), weight = Vector3d::Zero(), residual = Vector3d::Zero();
   for (const Term* term : group) {
@@ -74,11 +76,14 @@ bool contradicts(const Camera& camera, const Matrix6d& information, const std::v
   // Most of what is known of the pose comes from this group: there is nothing to judge it by.
   if (!(covariance.diagonal().minCoeff() > 0)) return false;
   const Matrix3d influence = jacobian * covariance * jacobian.transpose();
+  constexpr double kMaxUnsure = 0.5;  // [px^2] where the others say little, neither party is to be believed
+  if (influence.topLeftCorner<2, 2>().trace() > kMaxUnsure) return false;
   const Vector3d deleted = residual + influence * weight.cwiseProduct(residual);
+  const double common = kMapError + blur;
   Eigen::Matrix2d expected = influence.topLeftCorner<2, 2>();
-  expected.diagonal() += weight.head<2>().cwiseInverse() + Eigen::Vector2d::Constant(kMapError * kMapError);
+  expected.diagonal() += weight.head<2>().cwiseInverse() + Eigen::Vector2d::Constant(common * common);
   const Eigen::Vector2d shift = deleted.head<2>();
-  return shift.norm() > kMinShift && shift.dot(expected.inverse() * shift) > kGate;
+  return shift.norm() > kMinShift + 2 * blur && shift.dot(expected.inverse() * shift) > kGate;
 }
 
 }  // namespace
@@ -92,6 +97,8 @@ std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const Tr
     terms.push_back(make_term(sensor, frame, inliers[static_cast<std::size_t>(i)], i));
     if (!(terms.back().point.z() > 0.05)) terms.pop_back();
   }
+  constexpr double kTimeError = 0.002;  // [s] of a row against the pose
+  const double blur = sensor.camera.fx * kTimeError * frame.motion.twist.tail<3>().norm();
   // Overlapping squares and ranges of depth, so that most things lie within one.
   constexpr double kColumns = 4, kDepthStep = 0.3;  // depth by its logarithm
   const double side = static_cast<double>(sensor.camera.width) / kColumns;
@@ -105,7 +112,7 @@ std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const Tr
           .push_back(&term);
     }
     for (const auto& [key, group] : groups) {
-      if (!contradicts(sensor.camera, frame.information, group)) continue;
+      if (!contradicts(sensor.camera, frame.information, blur, group)) continue;
       for (const Term* term : group) moving[static_cast<std::size_t>(term->match)] = 1;
     }
   }
