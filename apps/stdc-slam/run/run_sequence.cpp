@@ -71,9 +71,7 @@ void check_map_options(const RunOptions& options, const Settings& settings) {
 /// Masks that belong to no image would be passed over frame by frame.
 void check_masks(const RunOptions& options, const Settings& settings, const SequenceInput& input) {
   if (settings.segmentation.source != SegmentationSource::masks) return;
-  const std::filesystem::path folder = options.segmentation.masks
-                                           ? std::filesystem::path(*options.segmentation.masks)
-                                           : options.sequence / "mask";
+  const std::filesystem::path folder = mask_folder(options.segmentation, options.sequence);
   const std::vector<MaskFile> masks = list_masks(folder);
   const bool any = std::any_of(input.frames.begin(), input.frames.end(), [&](const SequenceFrame& frame) {
     return find_mask(masks, frame.timestamp, MaskFileSegmenter::kTolerance) != nullptr;
@@ -130,7 +128,7 @@ bool run_sequence(const RunOptions& options) {
   check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
   auto segmenter =
-      chosen_segmenter(options.segmentation, settings, options.sequence.string(), input.camera.rotation);
+      chosen_segmenter(options.segmentation, settings, options.sequence, input.camera.rotation);
   check_masks(options, settings, input);
   OutputFolder output(options.output);
   check_place_for_map(options);
