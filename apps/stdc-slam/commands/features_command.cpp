@@ -85,7 +85,13 @@ std::vector<Row> measure_frames(const Options& options) {
   std::vector<FeatureExtractor> extractors;
   extractors.reserve(kSelections.size());
   for (const Selection selection : kSelections) {
-    extractors.emplace_back(FeatureSettings{.selection = selection, .keypoints = options.keypoints});
+    const FeatureSettings settings{.selection = selection, .keypoints = options.keypoints};
+    try {
+      settings.validate();
+    } catch (const Error& error) {
+      throw Error("--keypoints", error.problem(), error.hint());
+    }
+    extractors.emplace_back(settings);
   }
   std::optional<OutputFolder> pictures;
   if (options.debug_images) pictures.emplace(*options.debug_images);

@@ -1,8 +1,11 @@
 #include "commands/settings_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "commands/builtin_settings.hpp"
+#include "core/error.hpp"
 #include "slam/settings_io.hpp"
 
 namespace stdc::app {
@@ -13,9 +16,23 @@ void add_settings_options(CLI::App& command, SettingsOptions& options) {
       "YAML file with settings (see: stdc-slam settings --yaml), or the name of one that ships: os3, os3-q, "
       "os3-s, os3-s-srm, os3-s-srm-q");
   command.add_option("--selection", options.selection, "Keypoint selection: improved or orb-slam3");
-  command.add_option("--set", options.assignments, "Change one setting: section.key=value; may be repeated")
+  command.add_option("--set", options.assignments, "Change one setting: section.key=value; may be repeated, the last one counts")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+std::string assignment_of(const SettingsOptions& options, const std::string& setting) {
+  for (const std::string& assignment : options.assignments) {
+    if (assignment.starts_with(setting + "=")) return "--set " + assignment;
+  }
+  return {};
+}
+
+void check_not_assigned(bool given, const char* option, const SettingsOptions& options,
+                        const std::string& setting) {
+  const std::string assignment = assignment_of(options, setting);
+  if (!given || assignment.empty()) return;
+  throw Error(option, fmt::format("is the same setting as {}", assignment), "leave out one of the two");
 }
 
 Settings chosen_settings(const SettingsOptions& options, const SegmentationOptions& segmentation) {
@@ -25,6 +42,9 @@ Settings chosen_settings(const SettingsOptions& options, const SegmentationOptio
   } else if (!options.file.empty()) {
     read_settings(options.file, settings);
   }
+  check_not_assigned(!options.selection.empty(), "--selection", options, "features.selection");
+  check_not_assigned(!segmentation.source.empty(), "--segmentation", options, "segmentation.source");
+  check_not_assigned(!segmentation.refinement.empty(), "--refinement", options, "segmentation.refinement");
   if (!options.selection.empty()) apply_setting("features.selection=" + options.selection, settings);
   apply_segmentation_options(segmentation, settings);
   for (const std::string& assignment : options.assignments) apply_setting(assignment, settings);
