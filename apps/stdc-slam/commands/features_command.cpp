@@ -186,7 +186,8 @@ void add_features_command(CLI::App& app) {
   command
       ->add_option("--frames", options->frames,
                    "Frames to show, counted from 0, e.g. 1,60,303 (default: all)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
       ->capture_default_str();
   command->add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");

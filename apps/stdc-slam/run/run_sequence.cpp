@@ -24,8 +24,7 @@
 namespace stdc::app {
 namespace {
 
-RunSummary summarise(const SequenceInput& input, const RunRecord& record, const Slam& slam,
-                     const RunTrajectories& trajectories) {
+RunSummary summarise(const SequenceInput& input, const Slam& slam, const RunTrajectories& trajectories) {
   RunSummary summary;
   summary.sequence = input.name;
   summary.camera = format_camera(input.camera);
@@ -114,7 +113,7 @@ bool run_sequence(const RunOptions& options) {
   const RunTrajectories trajectories =
       by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
              slam.keyframe_trajectory());
-  const RunSummary summary = summarise(input, record, slam, trajectories);
+  const RunSummary summary = summarise(input, slam, trajectories);
   if (pictures) {
     pictures->add_top_view(
         {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
