@@ -86,7 +86,8 @@ TEST_F(UnusedOption, PlacesSaysWhatIsLeftOutAndLeavesEmptyWhatIsNotThere) {
   EXPECT_TRUE(json["worst_error_m"].is_null());
   EXPECT_TRUE(contains(content(folder_ / "o/places.csv"), "\n0,0.0000,,,,,0,,\n"))
       << content(folder_ / "o/places.csv");
-  expect_refusal("places s --frames 0:99", "--frames: 0:99");
+  fs::remove_all(folder_ / "o");
+  expect_refusal("places s --frames 0:99 --output o", "--frames: 0:99");
 }
 
 TEST_F(UnusedOption, SegmentNeedsScoreForTruth) {
