@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "input/trajectory.hpp"
+#include "input/stamped_pose.hpp"
 
 namespace stdc {
 
@@ -22,7 +22,8 @@ struct PoseRow {
 /// How a row has to be written, for the hints of errors.
 constexpr const char* kPoseRowLayout = "write each line as: timestamp tx ty tz qx qy qz qw";
 
-/// Reads "timestamp tx ty tz qx qy qz qw". Any finite time will do: what unit it has is for the caller to say.
+/// Reads "timestamp tx ty tz qx qy qz qw". Any finite time will do: what unit it has is for the caller to
+/// say.
 PoseRow parse_pose_row(std::string_view line);
 
 }  // namespace stdc

@@ -12,8 +12,8 @@
 namespace stdc {
 namespace {
 
-using test::TestSequence;
 using test::same_bytes;
+using test::TestSequence;
 
 constexpr int kFrames = 60;
 

@@ -8,8 +8,8 @@
 namespace stdc {
 namespace {
 
-using test::TestSequence;
 using test::same_bytes;
+using test::TestSequence;
 
 Settings small_settings() {
   Settings settings;

@@ -13,10 +13,10 @@
 namespace stdc {
 namespace {
 
-using test::TestSequence;
 using test::Load;
 using test::same_bytes;
 using test::TestFolder;
+using test::TestSequence;
 using test::Walk;
 
 std::string bytes_of(const std::filesystem::path& path) {

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "slam/test_sequence.hpp"
 #include "slam/test_load.hpp"
+#include "slam/test_sequence.hpp"
 
 namespace stdc {
 namespace {
 
-using test::TestSequence;
 using test::Load;
 using test::same_bytes;
+using test::TestSequence;
 
 Settings small_settings() {
   Settings settings;

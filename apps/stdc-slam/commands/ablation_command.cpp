@@ -140,8 +140,11 @@ void add_ablation_command(CLI::App& app) {
           "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
       ->check(CLI::IsMember({"network", "masks"}))
       ->capture_default_str();
-  command->add_option("--weights", options->columns.weights, "Weights of the network; default: those that ship");
-  command->add_option("--set", options->columns.assignments, "Change one setting in all columns; may be repeated, the last one counts")
+  command->add_option("--weights", options->columns.weights,
+                      "Weights of the network; default: those that ship");
+  command
+      ->add_option("--set", options->columns.assignments,
+                   "Change one setting in all columns; may be repeated, the last one counts")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--markdown", options->markdown, "Print tables in Markdown");

@@ -73,12 +73,13 @@ void check_truth(const SequenceInput& input) {
     return pose_at(truth, frame.timestamp).has_value();
   });
   if (any) return;
-  throw Error(input.truth_path().string(),
-              fmt::format("has no pose within 20 ms of any image (poses: {:.3f} to {:.3f} s, images: {:.3f} to "
-                          "{:.3f} s)",
-                          truth.front().timestamp, truth.back().timestamp, input.frames.front().timestamp,
-                          input.frames.back().timestamp),
-              "give the truth of the same recording, with times in seconds");
+  throw Error(
+      input.truth_path().string(),
+      fmt::format("has no pose within 20 ms of any image (poses: {:.3f} to {:.3f} s, images: {:.3f} to "
+                  "{:.3f} s)",
+                  truth.front().timestamp, truth.back().timestamp, input.frames.front().timestamp,
+                  input.frames.back().timestamp),
+      "give the truth of the same recording, with times in seconds");
 }
 
 std::optional<double> median(const std::vector<double>& values) { return quantiles(values).median; }

@@ -29,9 +29,10 @@ TEST_F(RenderCommandLine, RefusesWhatWouldHaveNoEffect) {
 
 TEST_F(RenderCommandLine, WithoutTheRendererItSaysHowToGetIt) {
   for (const char* arguments : {"render", "render static-room --output o --seed 3"}) {
-    expect_refusal(arguments,
-                   "render: this program was built without the renderer; install libembree-dev and build with "
-                   "-DSTDC_BUILD_SIMULATION=ON");
+    expect_refusal(
+        arguments,
+        "render: this program was built without the renderer; install libembree-dev and build with "
+        "-DSTDC_BUILD_SIMULATION=ON");
   }
 }
 

@@ -65,7 +65,8 @@ NetworkSettings network_settings(const Options& options) {
 void check_onnx_options(const Options& options) {
   if (!options.weights || std::filesystem::path(*options.weights).extension() != ".onnx") return;
   const auto refuse = [](bool given, const char* option) {
-    if (given) throw Error(option, "has no effect on an ONNX model", "leave it out, or give .safetensors weights");
+    if (given)
+      throw Error(option, "has no effect on an ONNX model", "leave it out, or give .safetensors weights");
   };
   refuse(options.int8, "--int8");
   refuse(options.fp32, "--fp32");
@@ -245,8 +246,8 @@ void add_segment_command(CLI::App& app) {
   command->add_option("--camera", options->camera,
                       "Camera file whose 'rotation' says which way up the images are, in place of EXIF");
   command->add_option("--threads", options->threads, "Threads of inference")->capture_default_str();
-  CLI::Option* score =
-      command->add_option("--score", options->truth, "Folder of true masks to compare with")->type_name("FOLDER");
+  CLI::Option* score = command->add_option("--score", options->truth, "Folder of true masks to compare with")
+                           ->type_name("FOLDER");
   command
       ->add_option("--truth", options->truth_kind,
                    "What the true masks hold: masks (128 and above = dynamic) or labels (255 = in doubt)")

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kRead{".png", ".jpg", ".jpeg"};
-constexpr std::array kNotRead{".avif", ".bmp", ".gif",  ".heic", ".heif", ".jp2", ".pgm",
+constexpr std::array kNotRead{".avif", ".bmp", ".gif", ".heic", ".heif", ".jp2", ".pgm",
                               ".pnm",  ".ppm", ".tga", ".tif",  ".tiff", ".webp"};
 
 std::string extension_of(const fs::path& path) {

@@ -16,7 +16,9 @@ void add_settings_options(CLI::App& command, SettingsOptions& options) {
       "YAML file with settings (see: stdc-slam settings --yaml), or the name of one that ships: os3, os3-q, "
       "os3-s, os3-s-srm, os3-s-srm-q");
   command.add_option("--selection", options.selection, "Keypoint selection: improved or orb-slam3");
-  command.add_option("--set", options.assignments, "Change one setting: section.key=value; may be repeated, the last one counts")
+  command
+      .add_option("--set", options.assignments,
+                  "Change one setting: section.key=value; may be repeated, the last one counts")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }

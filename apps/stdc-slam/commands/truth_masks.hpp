@@ -28,8 +28,8 @@ class TruthMasks {
   TruthMasks(std::filesystem::path folder, TruthKind kind);
 
   /// The true mask of an image: the PNG of the same name or, for masks of sequences, of the same time (as
-  /// `run --masks` finds it); nothing if there is none. It may lie on the stored image or on the upright one, where
-  /// their sizes differ. Throws Error for a damaged one or one of another shape.
+  /// `run --masks` finds it); nothing if there is none. It may lie on the stored image or on the upright one,
+  /// where their sizes differ. Throws Error for a damaged one or one of another shape.
   /// @param size  of the stored image
   std::optional<TruthMask> load(const SegmentImage& image, cv::Size size, Orientation orientation);
 

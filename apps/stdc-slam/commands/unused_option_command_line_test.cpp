@@ -14,7 +14,8 @@ class UnusedOption : public CommandLine {
   /// Puts the times of the truth of "s" an hour later.
   void move_truth() const {
     std::string text;
-    for (int i = 0; i < 12; ++i) text += fmt::format("{:.6f} {:.6f} 0 0 0 0 0 1\n", 3700 + i / 30.0, 0.01 * i);
+    for (int i = 0; i < 12; ++i)
+      text += fmt::format("{:.6f} {:.6f} 0 0 0 0 0 1\n", 3700 + i / 30.0, 0.01 * i);
     folder_.write("s/groundtruth.txt", text);
   }
   void write_images(const std::string& name) const {
@@ -124,13 +125,15 @@ TEST_F(UnusedOption, AblationRefusesBeforeAnyWork) {
   stdc::test::write_test_sequence(folder_, "other/s", 3);
   expect_refusal("ablation s --output o --set segmentation.refinement=on",
                  "--set segmentation.refinement=on: the columns differ in this setting");
-  expect_refusal("ablation s --output o --set features.selection=improved", "--set features.selection=improved: ");
+  expect_refusal("ablation s --output o --set features.selection=improved",
+                 "--set features.selection=improved: ");
   expect_refusal("ablation s --output o --masks-from masks --weights w",
                  "--weights: is of no use with --masks-from masks");
   expect_refusal("ablation s --output o --quiet --weights none.safetensors", "none.safetensors: ");
   expect_refusal("ablation s --output o --quiet --masks-from masks", "s/mask: ");
   folder_.write("s/mask/5.000000.png", encode_png(cv::Mat(240, 320, CV_8UC1, cv::Scalar(0))));
-  expect_refusal("ablation s --output o --quiet --masks-from masks", "none of its 1 masks has the time of an image");
+  expect_refusal("ablation s --output o --quiet --masks-from masks",
+                 "none of its 1 masks has the time of an image");
   expect_refusal(std::string("ablation s other/s --output o --quiet --weights ") + STDC_TEST_WEIGHTS,
                  "other/s: has the same name as s");
 }

@@ -13,8 +13,8 @@ namespace {
 std::string row(const char* name, const std::optional<ErrorStatistics>& errors, double factor,
                 const char* unit) {
   std::string line = fmt::format("{:<28}", name);
-  for (const auto value :
-       {&ErrorStatistics::rmse, &ErrorStatistics::mean, &ErrorStatistics::median, &ErrorStatistics::maximum}) {
+  for (const auto value : {&ErrorStatistics::rmse, &ErrorStatistics::mean, &ErrorStatistics::median,
+                           &ErrorStatistics::maximum}) {
     line += errors ? fmt::format(" {:>10.3f}", factor * (*errors).*value) : fmt::format(" {:>10}", "-");
   }
   return line + fmt::format("  {}\n", unit);

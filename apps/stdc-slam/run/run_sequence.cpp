@@ -96,8 +96,7 @@ bool run_sequence(const RunOptions& options) {
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
-  auto segmenter =
-      chosen_segmenter(options.segmentation, settings, options.sequence, input.camera.rotation);
+  auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence, input.camera.rotation);
   if (settings.segmentation.source == SegmentationSource::masks)
     check_masks(mask_folder(options.segmentation, options.sequence), input);
   OutputFolder output(options.output);

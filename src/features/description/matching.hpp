@@ -25,8 +25,8 @@ struct BestMatch {
 
 /// Where to look for a keypoint.
 struct SearchWindow {
-  float x = 0, y = 0;                 ///< ideal pixel
-  float radius = 0;                   ///< [px] along each axis
+  float x = 0, y = 0;                ///< ideal pixel
+  float radius = 0;                  ///< [px] along each axis
   int min_level = 0, max_level = 0;  ///< of the pyramid
 };
 
