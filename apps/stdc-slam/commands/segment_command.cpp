@@ -5,7 +5,6 @@
 #include <charconv>
 #include <memory>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "core/image_codec.hpp"
 #include "core/stopwatch.hpp"
 #include "input/camera_file.hpp"
+#include "report/mask_overlay.hpp"
 #include "report/segment_report.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/output_folder.hpp"
@@ -77,20 +77,6 @@ TruthKind truth_kind(const Options& options) {
   if (options.truth_kind == "masks") return TruthKind::masks;
   if (options.truth_kind == "labels") return TruthKind::labels;
   throw Error("--truth", fmt::format("'{}' is not known", options.truth_kind), "give masks or labels");
-}
-
-/// The image with the mask in red and its outline in white.
-cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask) {
-  cv::Mat picture = image;
-  if (image.channels() == 1) cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
-  cv::Mat tinted, inner;
-  cv::addWeighted(picture, 0.5, cv::Mat(picture.size(), CV_8UC3, cv::Scalar(40, 30, 230)), 0.5, 0, tinted);
-  cv::Mat result = picture.clone();
-  tinted.copyTo(result, mask);
-  cv::erode(mask, inner, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}), {-1, -1}, 1, cv::BORDER_CONSTANT,
-            cv::Scalar(255));
-  result.setTo(cv::Scalar(255, 255, 255), mask & ~inner);
-  return result;
 }
 
 /// The camera whose `rotation` counts: --camera, or that of a sequence; nothing for photos.
