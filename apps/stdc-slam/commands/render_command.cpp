@@ -147,7 +147,7 @@ void add_render_command(CLI::App& app) {
       ->add_option("--seed", options->seed, "Of textures, clutter, people and noise; same seed, same bytes")
       ->capture_default_str();
   command->add_flag("--without-people", options->without_people,
-                    "Same room and camera motion, but nothing moves (not for static ones)");
+                    "Same room and camera motion, but nothing moves");
   command->add_flag("--motion-blur", options->motion_blur, "Expose for 1/60 s (6 times slower)");
   command->add_option("--camera", options->camera, "camera.yaml to render with, lens distortion included");
   command->add_option("--threads", options->threads, "How many; default: one for each core")
