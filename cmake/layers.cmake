@@ -1,5 +1,7 @@
-# stdc_options: what every target of the project is compiled with.
+# stdc_options: what every target of the project is compiled with. The standard is a feature of it, so that a project
+# that takes this one by add_subdirectory and links a layer need not set it.
 add_library(stdc_options INTERFACE)
+target_compile_features(stdc_options INTERFACE cxx_std_20)
 target_include_directories(stdc_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_include_directories(stdc_options SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
 # No fused multiply-add: a frame gives the same bytes whichever instruction set the loop was dispatched to.
@@ -12,7 +14,7 @@ if(STDC_SANITIZE)
   target_link_options(stdc_options INTERFACE -fsanitize=${STDC_SANITIZE})
 endif()
 
-# Tests are compiled with little optimisation: they cost twice the time otherwise and gain next to nothing.
+# Tests are compiled with little optimisation: more costs twice the compile time and gains little.
 set(STDC_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>")
 
 # Takes the tests that need rendered frames, which they include, off a list if the renderer is not built.
@@ -23,7 +25,7 @@ function(stdc_leave_out_rendered_tests list_name)
   set(kept "")
   set(left_out "")
   foreach(file IN LISTS ${list_name})
-    file(STRINGS ${file} includes REGEX "#include \"(simulation/|slam/test_footage|slam/test_walk)")
+    file(STRINGS ${file} includes REGEX "#include \"(simulation/|slam/test_sequence|slam/test_walk)")
     if(includes)
       get_filename_component(name ${file} NAME)
       list(APPEND left_out ${name})
@@ -33,7 +35,7 @@ function(stdc_leave_out_rendered_tests list_name)
   endforeach()
   if(left_out)
     list(JOIN left_out ", " names)
-    message(STATUS "Left out, for want of the renderer (STDC_BUILD_SIMULATION=OFF): ${names}")
+    message(STATUS "Left out without the renderer (STDC_BUILD_SIMULATION=OFF): ${names}")
   endif()
   set(${list_name} ${kept} PARENT_SCOPE)
 endfunction()

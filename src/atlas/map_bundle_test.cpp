@@ -11,7 +11,7 @@ namespace {
 
 constexpr KeyframeId id(std::uint32_t value) { return {value}; }
 
-/// Six keyframes on a way of a metre.
+/// Six keyframes along a metre.
 class MapBundles : public ::testing::Test {
  protected:
   MapBundles() : mapped(test::Scene(250)) {

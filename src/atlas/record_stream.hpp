@@ -60,9 +60,9 @@ class RecordReader {
   std::size_t get_count(std::size_t bytes_each);
   /// A number that must be finite and within a range; throws Error if it is not.
   template <typename T>
-  T get_number(T lowest, T highest) {
+  T get_number(T min, T max) {
     const T value = get<T>();
-    check(value >= lowest && value <= highest, "a number is out of range");
+    check(value >= min && value <= max, "a number is out of range");
     return value;
   }
 

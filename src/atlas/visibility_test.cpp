@@ -61,10 +61,10 @@ TEST_F(VisibilityTest, TheWindowGrowsWithTheLevel) {
                      coarse = image.window({{10, 20}, 1, 3}, 5, 0);
   EXPECT_FLOAT_EQ(fine.radius, 5);
   EXPECT_FLOAT_EQ(coarse.radius, 5 * view.features->scale(3));
-  EXPECT_EQ(fine.lowest, 0);
-  EXPECT_EQ(fine.highest, 1);
-  EXPECT_EQ(coarse.lowest, 2);
-  EXPECT_EQ(coarse.highest, 3);
+  EXPECT_EQ(fine.min_level, 0);
+  EXPECT_EQ(fine.max_level, 1);
+  EXPECT_EQ(coarse.min_level, 2);
+  EXPECT_EQ(coarse.max_level, 3);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ DecodedImage decode(Bytes bytes, cv::Size size, Kind kind) {
     png_destroy_read_struct(&png, nullptr, nullptr);
     return {{}, "cannot be decoded (out of memory)"};
   }
-  if (setjmp(reader.on_error) == 0) {  // NOLINT(cert-err52-cpp): the way of libpng
+  if (setjmp(reader.on_error) == 0) {  // NOLINT(cert-err52-cpp): how libpng reports errors
     if (start(png, info, reader, size, kind)) {
       const int type = kind == Kind::depth ? CV_16UC1 : CV_8UC(png_get_channels(png, info));
       image.create(size, type);

@@ -51,11 +51,11 @@ TEST(ParseTimestamp, NoticesOtherUnits) {
 TEST(ReadFile, ReadsAllBytes) {
   const TestFolder folder;
   const std::string bytes("a\0b\n", 4);
-  EXPECT_EQ(read_file(folder.write("x", bytes), "mend"), bytes);
-  EXPECT_EQ(read_file(folder.write("empty", std::string()), "mend"), "");
+  EXPECT_EQ(read_file(folder.write("x", bytes), "hint"), bytes);
+  EXPECT_EQ(read_file(folder.write("empty", std::string()), "hint"), "");
   const std::string large(300000, 'x');
-  EXPECT_EQ(read_file(folder.write("large", large), "mend"), large);
-  EXPECT_NE(message_of([&] { read_file(folder / "large", "mend", 1000); }).find("larger than 1000"),
+  EXPECT_EQ(read_file(folder.write("large", large), "hint"), large);
+  EXPECT_NE(message_of([&] { read_file(folder / "large", "hint", 1000); }).find("larger than 1000"),
             std::string::npos);
 }
 

@@ -56,9 +56,9 @@ std::vector<Pair> pair_up(const Trajectory& truth, const Trajectory& estimate, d
   return pairs;
 }
 
-ErrorStatistics statistics(std::vector<double> errors) {
+std::optional<ErrorStatistics> statistics(std::vector<double> errors) {
+  if (errors.empty()) return std::nullopt;
   ErrorStatistics result;
-  if (errors.empty()) return result;
   const auto count = static_cast<double>(errors.size());
   std::sort(errors.begin(), errors.end());
   double squares = 0;
@@ -91,13 +91,13 @@ ErrorStatistics absolute_error(const std::vector<Pair>& pairs, const Pose& truth
   for (const Pair& pair : pairs) {
     errors.push_back((truth_from_estimate * pair.estimate.translation - pair.truth.translation).norm());
   }
-  return statistics(std::move(errors));
+  return statistics(std::move(errors)).value();  // there are three pairs or more
 }
 
 /// Relative errors over the given steps (from, to), Sturm et al., Eq. 2.
 void relative_error(const std::vector<Pair>& pairs,
                     const std::vector<std::pair<std::size_t, std::size_t>>& steps,
-                    ErrorStatistics& translation, ErrorStatistics& rotation) {
+                    std::optional<ErrorStatistics>& translation, std::optional<ErrorStatistics>& rotation) {
   std::vector<double> metres, degrees;
   for (const auto& [from, to] : steps) {
     const Pose true_step = pairs[from].truth.inverse() * pairs[to].truth;
@@ -133,9 +133,10 @@ std::vector<std::pair<std::size_t, std::size_t>> second_steps(const std::vector<
 
 /// Share of the truth's time in which the estimate goes on without a gap. A gap is more than 0.1 s or three
 /// times the usual interval, whichever is longer: a trajectory of keyframes is sparse without being torn.
-double time_coverage(const Trajectory& truth, const Trajectory& estimate) {
+/// Nothing if the truth has no duration.
+std::optional<double> time_coverage(const Trajectory& truth, const Trajectory& estimate) {
   const double start = truth.front().timestamp, end = truth.back().timestamp;
-  if (!(end > start) || estimate.size() < 2) return 0;
+  if (!(end > start)) return std::nullopt;
   std::vector<double> intervals;
   for (std::size_t i = 1; i < estimate.size(); ++i) {
     intervals.push_back(estimate[i].timestamp - estimate[i - 1].timestamp);
@@ -167,16 +168,16 @@ TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& est
   scores.truth_from_estimate = align(pairs);
   scores.ate = absolute_error(pairs, scores.truth_from_estimate);
   relative_error(pairs, frame_steps(pairs), scores.rpe_frame_translation, scores.rpe_frame_rotation);
-  if (const auto steps = second_steps(pairs); !steps.empty()) {
-    relative_error(pairs, steps, scores.rpe_second_translation.emplace(),
-                   scores.rpe_second_rotation.emplace());
+  relative_error(pairs, second_steps(pairs), scores.rpe_second_translation, scores.rpe_second_rotation);
+  for (const std::optional<ErrorStatistics>& errors :
+       {std::optional(scores.ate), scores.rpe_frame_translation, scores.rpe_second_translation}) {
+    if (errors && !std::isfinite(errors->rmse)) refuse_numbers();
   }
-  for (const ErrorStatistics& errors : {scores.ate, scores.rpe_frame_translation,
-                                        scores.rpe_second_translation.value_or(ErrorStatistics())}) {
-    if (!std::isfinite(errors.rmse)) refuse_numbers();
+  if (!frames) {
+    scores.coverage = time_coverage(truth, estimate);
+  } else if (*frames > 0) {
+    scores.coverage = static_cast<double>(estimate.size()) / *frames;
   }
-  scores.coverage =
-      frames ? static_cast<double>(estimate.size()) / std::max(1, *frames) : time_coverage(truth, estimate);
   return scores;
 }
 

@@ -6,20 +6,23 @@
 
 namespace stdc {
 
+/// Of at least one error; where there is none, there are no statistics.
 struct ErrorStatistics {
   double rmse = 0, mean = 0, median = 0, maximum = 0;
 };
 
 /// Errors of an estimated trajectory against the truth.
 struct TrajectoryScores {
-  int pairs = 0;                          ///< poses of the estimate that found a true one
-  ErrorStatistics ate;                    ///< absolute trajectory error after SE(3) alignment [m]
-  ErrorStatistics rpe_frame_translation;  ///< relative error from pair to next pair [m]
-  ErrorStatistics rpe_frame_rotation;     ///< the same [deg]
-  /// Relative error over one second [m]; nothing where no two pairs lie a second apart.
-  std::optional<ErrorStatistics> rpe_second_translation;
-  std::optional<ErrorStatistics> rpe_second_rotation;  ///< the same [deg]
-  double coverage = 0;       ///< share of the truth's time span (or of `frames`) that has a pose, 0..1
+  using Statistics = std::optional<ErrorStatistics>;
+
+  int pairs = 0;                      ///< poses of the estimate that found a true one
+  ErrorStatistics ate;                ///< absolute trajectory error after SE(3) alignment [m]
+  Statistics rpe_frame_translation;   ///< relative error from pair to next pair [m]
+  Statistics rpe_frame_rotation;      ///< the same [deg]
+  Statistics rpe_second_translation;  ///< over one second [m]; nothing where no two pairs lie a second apart
+  Statistics rpe_second_rotation;     ///< the same [deg]
+  /// Share of the truth's time span, or of `frames`, that has a pose, 0..1; nothing if that is empty.
+  std::optional<double> coverage;
   Pose truth_from_estimate;  ///< the alignment
 };
 

@@ -39,9 +39,9 @@ TEST(ScoreTrajectory, IsZeroForTheSamePathElsewhere) {
   const TrajectoryScores scores = score_trajectory(truth, moved(some_pose(), truth));
   EXPECT_EQ(scores.pairs, 300);
   EXPECT_LT(scores.ate.maximum, 1e-9);
-  EXPECT_LT(scores.rpe_frame_translation.maximum, 1e-9);
+  EXPECT_LT(scores.rpe_frame_translation.value().maximum, 1e-9);
   EXPECT_LT(scores.rpe_second_rotation.value().maximum, 1e-5);
-  EXPECT_NEAR(scores.coverage, 1, 1e-12);
+  EXPECT_NEAR(scores.coverage.value(), 1, 1e-12);
   EXPECT_LT((scores.truth_from_estimate * some_pose()).log().norm(), 1e-9);
 }
 
@@ -55,10 +55,10 @@ TEST(ScoreTrajectory, KnownErrorsGiveKnownScores) {
   }
   const TrajectoryScores scores = score_trajectory(truth, estimate);
   EXPECT_LT(scores.ate.maximum, 1e-12);
-  EXPECT_NEAR(scores.rpe_frame_rotation.rmse, 0.01 * 180 / M_PI, 1e-9);
+  EXPECT_NEAR(scores.rpe_frame_rotation.value().rmse, 0.01 * 180 / M_PI, 1e-9);
   EXPECT_NEAR(scores.rpe_second_rotation.value().median, 0.20 * 180 / M_PI, 1e-9);
   // The step of 0.1 m is seen turned by 0.01 i: the chord of that angle is the error of frame i.
-  EXPECT_NEAR(scores.rpe_frame_translation.maximum, 0.1 * 2 * std::sin(0.5 * 0.01 * 98), 1e-9);
+  EXPECT_NEAR(scores.rpe_frame_translation.value().maximum, 0.1 * 2 * std::sin(0.5 * 0.01 * 98), 1e-9);
 }
 
 TEST(ScoreTrajectory, StatisticsAreThoseOfTheErrors) {
@@ -75,7 +75,7 @@ TEST(ScoreTrajectory, StatisticsAreThoseOfTheErrors) {
   for (const double value : {scores.ate.rmse, scores.ate.mean, scores.ate.median, scores.ate.maximum}) {
     EXPECT_NEAR(value, 0.1, 1e-9);
   }
-  EXPECT_NEAR(scores.rpe_frame_translation.rmse, 0.2, 1e-9);
+  EXPECT_NEAR(scores.rpe_frame_translation.value().rmse, 0.2, 1e-9);
 }
 
 TEST(ScoreTrajectory, PairsTheShorterWithTheNearestOfTheLonger) {
@@ -95,12 +95,12 @@ TEST(ScoreTrajectory, PairsTheShorterWithTheNearestOfTheLonger) {
 TEST(ScoreTrajectory, CoverageIsOfTimeOrOfFrames) {
   const Trajectory truth = smooth_path(1001, 100);  // 10 s
   Trajectory estimate = smooth_path(301, 30);
-  EXPECT_NEAR(score_trajectory(truth, estimate).coverage, 1, 1e-9);
+  EXPECT_NEAR(score_trajectory(truth, estimate).coverage.value(), 1, 1e-9);
   estimate.erase(estimate.begin() + 60, estimate.begin() + 149);  // 1.967 s to 4.967 s
-  EXPECT_NEAR(score_trajectory(truth, estimate).coverage, 0.7, 1e-9);
-  EXPECT_NEAR(score_trajectory(truth, estimate, 0.02, 424).coverage, 0.5, 1e-9);
+  EXPECT_NEAR(score_trajectory(truth, estimate).coverage.value(), 0.7, 1e-9);
+  EXPECT_NEAR(score_trajectory(truth, estimate, 0.02, 424).coverage.value(), 0.5, 1e-9);
   const Trajectory keyframes = smooth_path(11, 1);
-  EXPECT_NEAR(score_trajectory(truth, keyframes).coverage, 1, 1e-9);
+  EXPECT_NEAR(score_trajectory(truth, keyframes).coverage.value(), 1, 1e-9);
 }
 
 TEST(ScoreTrajectory, AGapIsNotOneSecond) {
@@ -116,6 +116,15 @@ TEST(ScoreTrajectory, WithoutStepsOfASecondThereIsNoErrorPerSecond) {
   const TrajectoryScores scores = score_trajectory(path, path);
   EXPECT_FALSE(scores.rpe_second_translation.has_value());
   EXPECT_FALSE(scores.rpe_second_rotation.has_value());
+}
+
+TEST(ScoreTrajectory, CoverageOfNothingIsNothing) {
+  const Trajectory path = smooth_path(10, 30);
+  EXPECT_FALSE(score_trajectory(path, path, 0.02, 0).coverage.has_value());
+  Trajectory instant = path;  // poses of one moment have no duration
+  for (StampedPose& pose : instant) pose.timestamp = path[0].timestamp;
+  EXPECT_FALSE(score_trajectory(instant, instant).coverage.has_value());
+  EXPECT_EQ(score_trajectory(path, instant).coverage, 0) << "a moment covers nothing of a duration";
 }
 
 TEST(ScoreTrajectory, RefusesWhatCannotBeScored) {
@@ -159,8 +168,8 @@ TEST_P(KnownTrajectories, AgreeWithEvoToSixDigits) {
   EXPECT_NEAR(scores.ate.mean, known.mean, kHalfDigit);
   EXPECT_NEAR(scores.ate.median, known.median, kHalfDigit);
   EXPECT_NEAR(scores.ate.maximum, known.maximum, kHalfDigit);
-  EXPECT_NEAR(scores.rpe_frame_translation.rmse, known.step_translation, kHalfDigit);
-  EXPECT_NEAR(scores.rpe_frame_rotation.rmse, known.step_rotation, kHalfDigit);
+  EXPECT_NEAR(scores.rpe_frame_translation.value().rmse, known.step_translation, kHalfDigit);
+  EXPECT_NEAR(scores.rpe_frame_rotation.value().rmse, known.step_rotation, kHalfDigit);
 }
 
 INSTANTIATE_TEST_SUITE_P(

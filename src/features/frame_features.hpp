@@ -67,9 +67,9 @@ class FrameFeatures {
   int nearest_level(float scale) const;
 
   /// Calls visit(i) for the keypoints within `radius` [px] of an ideal pixel along each axis (a square
-  /// window) whose level lies in [lowest, highest], in a fixed order.
+  /// window) whose level lies in [min_level, max_level], in a fixed order.
   template <typename Visit>
-  void for_each_in_window(float x, float y, float radius, int lowest, int highest, Visit&& visit) const {
+  void for_each_in_window(float x, float y, float radius, int min_level, int max_level, Visit&& visit) const {
     const int x0 = cell(x - radius, columns_), x1 = cell(x + radius, columns_);
     const int y0 = cell(y - radius, rows_), y1 = cell(y + radius, rows_);
     for (int row = y0; row <= y1; ++row) {
@@ -77,7 +77,7 @@ class FrameFeatures {
       const std::uint32_t end = cell_start_[row * columns_ + x1 + 1];
       for (std::uint32_t k = cell_start_[row * columns_ + x0]; k < end; ++k) {
         const Indexed& entry = by_cell_[k];
-        if (entry.level < lowest || entry.level > highest) continue;
+        if (entry.level < min_level || entry.level > max_level) continue;
         if (std::abs(entry.x - x) <= radius && std::abs(entry.y - y) <= radius) {
           visit(static_cast<int>(entry.index));
         }

@@ -2,43 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
 #include <istream>
 #include <iterator>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
+#include "input/pose_row.hpp"
 
 namespace stdc {
 namespace {
 
-constexpr const char* kLayout = "write each line as: timestamp tx ty tz qx qy qz qw";
-
 StampedPose parse_pose(std::string_view line, const std::string& where) {
-  const std::vector<std::string_view> words = split_words(line);
-  std::array<double, 7> values{};
-  if (words.size() != values.size() + 1) {
-    throw Error(where, fmt::format("has {} values instead of 8", words.size()), kLayout);
-  }
-  StampedPose pose;
-  pose.timestamp = parse_timestamp(words[0], where);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::optional<double> value = parse_number(words[i + 1]);
-    if (!value || !std::isfinite(*value)) {
-      throw Error(where, fmt::format("{} is not a finite number", shown(words[i + 1])), kLayout);
-    }
-    values[i] = *value;
-  }
-  const Eigen::Vector3d position(values[0], values[1], values[2]);
-  const Eigen::Quaterniond attitude(values[6], values[3], values[4], values[5]);
-  // Files round quaternions to a few digits; far from length 1 the columns are something else.
-  const double length = attitude.norm();
-  if (!(length > 0.9 && length < 1.1)) {
-    throw Error(where, fmt::format("the quaternion has length {:.3g} instead of 1", length), kLayout);
-  }
-  pose.world_from_cam = Pose(attitude, position);
-  return pose;
+  const PoseRow row = parse_pose_row(line);
+  if (row.kind != PoseRow::Kind::pose) throw Error(where, row.problem, kPoseRowLayout);
+  parse_timestamp(split_words(line).front(), where);  // refuses what cannot be seconds
+  return row.pose;
 }
 
 Trajectory parse_trajectory(std::string_view text, const std::string& name) {
@@ -56,7 +34,7 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
     }
     trajectory.push_back(pose);
   }
-  if (trajectory.empty()) throw Error(name, "has no poses", kLayout);
+  if (trajectory.empty()) throw Error(name, "has no poses", kPoseRowLayout);
   return trajectory;
 }
 

@@ -5,15 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/pose.hpp"
+#include "input/stamped_pose.hpp"
 
 namespace stdc {
 
-/// A camera pose at a time, as TUM files have it: position and attitude of the camera in the world.
-struct StampedPose {
-  double timestamp = 0;  ///< [s]
-  Pose world_from_cam;
-};
 using Trajectory = std::vector<StampedPose>;
 
 /// Reads "timestamp tx ty tz qx qy qz qw" lines; '#' starts a comment. Throws Error (file:line) for a missing

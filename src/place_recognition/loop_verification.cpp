@@ -15,10 +15,10 @@ std::optional<Eigen::Vector3d> point_of(const Camera& camera, const Atlas& atlas
 }
 
 /// What the matched keyframe sees of the points that the current one knows; "world" is the current camera.
+/// @param measured  the keypoints of the current keyframe
 std::vector<PoseObservation> observe_back(const Camera& camera, const Atlas& atlas, const Keyframe& current,
-                                          const Keyframe& matched,
+                                          const std::vector<Measurement>& measured, const Keyframe& matched,
                                           const std::vector<PlaceObservation>& places) {
-  const auto measured = measure_keypoints(camera, current.motion, *current.features);
   const auto seen = measure_keypoints(camera, matched.motion, *matched.features);
   std::vector<PoseObservation> observations;
   for (const PlaceObservation& s : places) {
@@ -51,12 +51,13 @@ std::optional<VerifiedLoop> verify_loop(const PoseEstimator& estimator, const At
   const auto place = find_in_place(estimator, atlas, window, {*current.features, current.motion},
                                    {settings.min_inliers, settings.min_share}, settings);
   if (!place) return {};
+  // Not the aligned positions of the keyframe's measurements: those mean the points of its own landmarks.
+  const auto measured = measure_keypoints(camera, current.motion, *current.features);
   const PoseOptimisationResult back =
-      estimator.estimate(observe_back(camera, atlas, current, matched, place->observations),
+      estimator.estimate(observe_back(camera, atlas, current, measured, matched, place->observations),
                          matched.cam_from_world * place->cam_from_world.inverse());
   if (!back.usable || back.inliers < settings.ransac_inliers) return {};
 
-  const auto measured = measure_keypoints(camera, current.motion, *current.features);
   std::vector<PoseObservation> observations;
   for (const PlaceObservation& s : place->observations) {
     const Measurement& m = measured[s.keypoint];

@@ -35,13 +35,14 @@ void BackEnd::set_atlas(Atlas atlas) {
   start(JobKind::learn_places, 0, [this] { places_.add_all(atlas_); });
 }
 
-/// The snapshot is made on the worker's thread, where it costs the tracker nothing.
+/// The snapshot is made on the worker's thread, where it costs the tracker nothing. Learning places changes
+/// nothing that it shows.
 void BackEnd::start(JobKind kind, int due, std::function<void()> work) {
   assert(idle());
   job_ = Job{kind, due};
-  worker_.start([this, work = std::move(work)] {
+  worker_.start([this, kind, work = std::move(work)] {
     work();
-    changed_ = AtlasSnapshot(atlas_);
+    if (kind != JobKind::learn_places) changed_ = AtlasSnapshot(atlas_);
   });
 }
 
@@ -106,7 +107,7 @@ void BackEnd::finish_job(BackEndUpdate& update) {
   worker_.wait();
   const JobKind done = job_->kind;
   job_.reset();
-  snapshot_ = std::move(changed_);
+  if (done != JobKind::learn_places) snapshot_ = std::move(changed_);
   update.atlas_changed = true;
   if (done == JobKind::map_keyframe) {
     update.mapping = mapping_;

@@ -59,6 +59,20 @@ TEST(BackEnd, AJobIsCollectedAtItsFrameAndNotBefore) {
   EXPECT_FALSE(back_end.busy());
 }
 
+TEST(BackEnd, AnAtlasThatWasGivenIsSeenBeforeAndAfterItsPlacesAreLearnt) {
+  Revisit revisit{Scene(500)};
+  revisit.visit_first(5);
+  BackEnd back_end(revisit.mapped.scene.camera, Settings());
+  const int landmarks = revisit.mapped.atlas.landmark_count();
+  back_end.set_atlas(std::move(revisit.mapped.atlas));
+  for (const bool learnt : {false, true}) {
+    EXPECT_EQ(back_end.snapshot().keyframe_count(), 5) << learnt;
+    EXPECT_EQ(back_end.snapshot().landmark_count(), landmarks) << learnt;
+    if (learnt) continue;
+    EXPECT_TRUE(back_end.collect(0, true).atlas_changed);
+  }
+}
+
 TEST(BackEnd, ClosesALoopAndAdjustsTheWholeMapAfterIt) {
   TwoVisits visits((Settings()));
   EXPECT_EQ(visits.run(200), 1);

@@ -7,13 +7,13 @@
 #include <thread>
 
 #include "core/random.hpp"
-#include "slam/test_footage.hpp"
+#include "slam/test_sequence.hpp"
 
 namespace stdc {
 namespace {
 
-using test::Footage;
 using test::same_bytes;
+using test::TestSequence;
 
 constexpr int kFrames = 60;
 
@@ -36,7 +36,7 @@ struct Intruder {
   RgbdImage with_it(const RgbdImage& image, int frame) const {
     RgbdImage changed{image.timestamp, image.colour.clone(), image.depth.clone()};
     texture.copyTo(changed.colour(place(frame)));
-    changed.depth(place(frame)).setTo(0.7 * Footage::of_a_desk().camera.depth_units_per_metre);
+    changed.depth(place(frame)).setTo(0.7 * TestSequence::of_a_desk().camera.depth_units_per_metre);
     return changed;
   }
   cv::Mat texture;
@@ -67,12 +67,12 @@ struct Result {
 };
 
 Result run(const Settings& settings, std::unique_ptr<Segmenter> segmenter) {
-  const Footage& footage = Footage::of_a_desk();
+  const TestSequence& sequence = TestSequence::of_a_desk();
   const Intruder intruder;
-  Slam slam(footage.camera, settings, std::move(segmenter));
+  Slam slam(sequence.camera, settings, std::move(segmenter));
   Result result;
   for (int i = 0; i < kFrames; ++i) {
-    const TrackingResult tracked = slam.track(intruder.with_it(footage.frames[i].image, i));
+    const TrackingResult tracked = slam.track(intruder.with_it(sequence.frames[i].image, i));
     result.ok += tracked.status == TrackingStatus::ok ? 1 : 0;
     const cv::Rect board = Intruder::place(i);
     result.on_board += static_cast<int>(
@@ -81,9 +81,9 @@ Result run(const Settings& settings, std::unique_ptr<Segmenter> segmenter) {
         }));
   }
   result.trajectory = slam.trajectory();
-  const Pose first_from_truth = footage.frames[0].world_from_cam.inverse();
+  const Pose first_from_truth = sequence.frames[0].world_from_cam.inverse();
   for (const FramePose& pose : result.trajectory) {
-    const Pose truth = first_from_truth * footage.frames[pose.frame].world_from_cam;
+    const Pose truth = first_from_truth * sequence.frames[pose.frame].world_from_cam;
     result.worst_error =
         std::max(result.worst_error, (truth.translation - pose.world_from_cam.translation).norm());
   }

@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "slam/slam.hpp"
-#include "slam/test_footage.hpp"
+#include "slam/test_sequence.hpp"
 #include "slam/test_walk.hpp"
 
 namespace stdc {
 namespace {
 
-using test::Footage;
 using test::same_bytes;
+using test::TestSequence;
 
 Settings small_settings() {
   Settings settings;
@@ -24,11 +24,11 @@ struct Answers {
 };
 
 Answers run(bool ask) {
-  const Footage& footage = Footage::of_a_desk();
-  Slam slam(footage.camera, small_settings());
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, small_settings());
   Answers result;
   for (int i = 0; i < 80; ++i) {
-    const TrackingResult tracked = slam.track(footage.frames[i].image);
+    const TrackingResult tracked = slam.track(sequence.frames[i].image);
     if (tracked.cam_from_world)
       result.told.push_back({i, tracked.timestamp, *tracked.cam_from_world, tracked.map});
     result.mapped += tracked.mapping ? 1 : 0;
@@ -53,7 +53,7 @@ TEST(SlamGetters, AskingOnEveryFrameChangesNoByte) {
 }
 
 TEST(SlamGetters, BeforeTheFirstFrameThereIsNothing) {
-  const Slam slam(Footage::of_a_desk().camera, small_settings());
+  const Slam slam(TestSequence::of_a_desk().camera, small_settings());
   EXPECT_TRUE(slam.trajectory().empty());
   EXPECT_TRUE(slam.keyframe_trajectory().empty());
   EXPECT_TRUE(slam.landmark_positions().empty());
@@ -62,10 +62,10 @@ TEST(SlamGetters, BeforeTheFirstFrameThereIsNothing) {
 }
 
 TEST(SlamTimes, AFrameReportsItsOwnStagesOnly) {
-  const Footage& footage = Footage::of_a_desk();
-  Slam slam(footage.camera, small_settings());
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, small_settings());
   for (int i = 0; i < 20; ++i) {
-    RgbdImage image = footage.frames[i].image;
+    RgbdImage image = sequence.frames[i].image;
     if (i >= 10 && i < 14) image.colour = cv::Mat(image.colour.size(), CV_8UC3, cv::Scalar::all(0));
     const TrackingResult result = slam.track(image);
     const StageTimes& times = result.milliseconds;

@@ -13,10 +13,10 @@
 namespace stdc {
 namespace {
 
-using test::Footage;
 using test::Load;
 using test::same_bytes;
 using test::TestFolder;
+using test::TestSequence;
 using test::Walk;
 
 std::string bytes_of(const std::filesystem::path& path) {
@@ -40,7 +40,7 @@ std::filesystem::path mapped(const TestFolder& folder) {
 
 /// Distance of a result from the truth [m]; the map's world is the camera at place 0.
 double error_of(const TrackingResult& result, int place) {
-  const auto& truth = Footage::of_a_room().frames;
+  const auto& truth = TestSequence::of_a_room().frames;
   const Pose expected = truth[0].world_from_cam.inverse() * truth[place].world_from_cam;
   return (expected.translation - result.cam_from_world->inverse().translation).norm();
 }
@@ -112,7 +112,7 @@ TEST(MapSession, ASessionThatBeginsElsewhereJoinsTheMapWhenItGetsThere) {
 TEST(MapSession, RefusesWhatDoesNotFit) {
   const TestFolder folder;
   const auto path = mapped(folder);
-  Camera other = Footage::of_a_room().camera;
+  Camera other = TestSequence::of_a_room().camera;
   other.fx += 1;
   Slam slam(other, {});
   try {

@@ -155,7 +155,7 @@ void parse_settings(const std::string& yaml, const std::string& name, Settings& 
   Settings result = settings;
   try {
     const YAML::Node root = YAML::Load(yaml);
-    if (root.IsNull()) return;
+    if (root.IsNull()) throw Error(name, "holds no settings", "see 'stdc-slam settings --yaml'");
     if (!root.IsMap()) throw Error(name, "not a YAML file of sections", "see 'stdc-slam settings --yaml'");
     std::set<std::string> seen;
     for (const auto& entry : root) {

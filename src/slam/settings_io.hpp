@@ -9,8 +9,8 @@
 namespace stdc {
 
 /// Reads a YAML file "section: {key: value}" over the given settings. Keys that are not there keep their
-/// value. Throws Error (file:line) for a missing or unreadable file, an unknown section or key (naming the
-/// nearest known one), a value of the wrong type or out of range.
+/// value. Throws Error (file:line) for a missing, unreadable or empty file, an unknown section or key (naming
+/// the nearest known one), a value of the wrong type or out of range.
 void read_settings(const std::filesystem::path& path, Settings& settings);
 /// The same from text; `name` stands for the file in errors.
 void parse_settings(const std::string& yaml, const std::string& name, Settings& settings);

@@ -49,7 +49,9 @@ TEST(SettingsIo, RefusesWrongValues) {
   EXPECT_NE(
       error_of("noise: {pixel_sigma: 1}\nnoise: {pixel_sigma: 2}").find("s.yaml:2: 'noise' is given twice"),
       std::string::npos);
-  EXPECT_EQ(error_of(""), "");
+  for (const char* nothing : {"", "# only a comment\n", "---\n"}) {
+    EXPECT_NE(error_of(nothing).find("s.yaml: holds no settings"), std::string::npos) << nothing;
+  }
 }
 
 TEST(SettingsIo, AFaultLeavesTheSettingsAsTheyWere) {

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "slam/test_footage.hpp"
 #include "slam/test_load.hpp"
+#include "slam/test_sequence.hpp"
 
 namespace stdc {
 namespace {
 
-using test::Footage;
 using test::Load;
 using test::same_bytes;
+using test::TestSequence;
 
 Settings small_settings() {
   Settings settings;
@@ -38,11 +38,11 @@ struct Outcome {
 
 Outcome run(
     const Settings& settings, int frames, const Change& change = [](int, RgbdImage&) {}) {
-  const Footage& footage = Footage::of_a_desk();
-  Slam slam(footage.camera, settings);
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, settings);
   Outcome result;
   for (int i = 0; i < frames; ++i) {
-    RgbdImage image = footage.frames[i].image;
+    RgbdImage image = sequence.frames[i].image;
     image.colour = image.colour.clone();
     image.depth = image.depth.clone();
     change(i, image);
@@ -60,11 +60,11 @@ Outcome run(
 
 /// The largest distance from the truth, with the first frame as the world [m].
 double worst_error(const Outcome& result) {
-  const Footage& footage = Footage::of_a_desk();
-  const Pose first_from_truth = footage.frames[0].world_from_cam.inverse();
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  const Pose first_from_truth = sequence.frames[0].world_from_cam.inverse();
   double worst = 0;
   for (const FramePose& pose : result.trajectory) {
-    const Pose truth = first_from_truth * footage.frames[pose.frame].world_from_cam;
+    const Pose truth = first_from_truth * sequence.frames[pose.frame].world_from_cam;
     worst = std::max(worst, (truth.translation - pose.world_from_cam.translation).norm());
   }
   return worst;
@@ -134,13 +134,13 @@ TEST(Slam, SurvivesGarbage) {
 }
 
 TEST(Slam, AMapDoesNotGrowWhileTheCameraStays) {
-  const auto footage_of = [](int i) { return i < 50 ? i : 99 - i; };
-  const Footage& footage = Footage::of_a_desk();
-  Slam slam(footage.camera, small_settings());
+  const auto frame_of = [](int i) { return i < 50 ? i : 99 - i; };
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, small_settings());
   std::vector<int> landmarks, keyframes;
   for (int round = 0; round < 6; ++round) {  // to and fro over the same place
     for (int i = 0; i < 100; ++i) {
-      RgbdImage image = footage.frames[footage_of(i)].image;
+      RgbdImage image = sequence.frames[frame_of(i)].image;
       image.timestamp = (round * 100 + i) / 30.0;
       slam.track(image);
     }
@@ -152,33 +152,33 @@ TEST(Slam, AMapDoesNotGrowWhileTheCameraStays) {
 }
 
 TEST(Slam, SkippedFramesAreCounted) {
-  const Footage& footage = Footage::of_a_desk();
-  Slam slam(footage.camera, small_settings());
-  slam.track(footage.frames[0].image);
-  const TrackingResult skipped = slam.skip(footage.frames[1].image.timestamp);
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, small_settings());
+  slam.track(sequence.frames[0].image);
+  const TrackingResult skipped = slam.skip(sequence.frames[1].image.timestamp);
   EXPECT_EQ(skipped.status, TrackingStatus::skipped);
   EXPECT_EQ(skipped.frame, 1);
-  EXPECT_EQ(slam.track(footage.frames[2].image).frame, 2);
+  EXPECT_EQ(slam.track(sequence.frames[2].image).frame, 2);
 }
 
 TEST(Slam, RefusesWhatNoCameraGives) {
-  const Footage& footage = Footage::of_a_desk();
-  Slam slam(footage.camera, small_settings());
-  RgbdImage image = footage.frames[0].image;
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, small_settings());
+  RgbdImage image = sequence.frames[0].image;
   slam.track(image);
   image.timestamp = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(slam.track(image), Error);
   image.timestamp = 1e6;
   image.colour = cv::Mat(10, 10, CV_8UC3);
   EXPECT_THROW(slam.track(image), Error);
-  image = footage.frames[1].image;
+  image = sequence.frames[1].image;
   image.depth = cv::Mat(240, 320, CV_8UC1);
   EXPECT_THROW(slam.track(image), Error);
-  EXPECT_EQ(slam.track(footage.frames[1].image).status, TrackingStatus::ok) << "and goes on";
+  EXPECT_EQ(slam.track(sequence.frames[1].image).status, TrackingStatus::ok) << "and goes on";
   Settings bad = small_settings();
   bad.features.keypoints = -1;
-  EXPECT_THROW(Slam(footage.camera, bad), Error);
-  Camera camera = footage.camera;
+  EXPECT_THROW(Slam(sequence.camera, bad), Error);
+  Camera camera = sequence.camera;
   camera.fx = 0;
   EXPECT_THROW(Slam(camera, small_settings()), Error);
 }

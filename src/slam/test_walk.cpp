@@ -7,10 +7,10 @@
 namespace stdc::test {
 
 Walk::Walk(Settings settings, std::unique_ptr<Segmenter> segmenter)
-    : slam(Footage::of_a_room().camera, small(settings), std::move(segmenter)) {}
+    : slam(TestSequence::of_a_room().camera, small(settings), std::move(segmenter)) {}
 
 TrackingResult Walk::see(int place, const Change& change) {
-  const simulation::RenderedFrame& frame = Footage::of_a_room().frames[place];
+  const simulation::RenderedFrame& frame = TestSequence::of_a_room().frames[place];
   RgbdImage image{time, frame.image.colour.clone(), frame.image.depth.clone()};
   time += kStep;
   change(image);
@@ -33,7 +33,7 @@ int Walk::count(TrackingStatus status, std::size_t from) const {
 }
 
 double Walk::worst_error(MapId map, int origin) {
-  const auto& truth = Footage::of_a_room().frames;
+  const auto& truth = TestSequence::of_a_room().frames;
   const std::vector<FramePose> poses = slam.trajectory();
   EXPECT_EQ(poses.size(), places.size());
   double worst = 0;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "slam/test_footage.hpp"
+#include "slam/test_sequence.hpp"
 
 namespace stdc::test {
 

@@ -92,16 +92,16 @@ LocalMap make_local_map(const Atlas& atlas, std::span<const LandmarkId> seen, Ke
   Copier copier(atlas);
   // Mark, then gather in order of id: the landmarks come out sorted without sorting.
   std::vector<int> index(atlas.landmark_id_limit(), -1);
-  std::uint32_t lowest = static_cast<std::uint32_t>(index.size()), highest = 0;
+  std::uint32_t min_id = static_cast<std::uint32_t>(index.size()), max_id = 0;
   for (const KeyframeId id : chosen) {
     for (const LandmarkId landmark : atlas.keyframe(id).landmarks) {
       if (!landmark.valid()) continue;
       index[landmark.value] = 0;
-      lowest = std::min(lowest, landmark.value);
-      highest = std::max(highest, landmark.value);
+      min_id = std::min(min_id, landmark.value);
+      max_id = std::max(max_id, landmark.value);
     }
   }
-  for (std::uint32_t value = lowest; value <= highest && value < index.size(); ++value) {
+  for (std::uint32_t value = min_id; value <= max_id && value < index.size(); ++value) {
     if (index[value] < 0) continue;
     index[value] = static_cast<int>(local.landmarks.size());
     local.landmarks.push_back(copier.copy(atlas.landmark({value}), local.reference_views));

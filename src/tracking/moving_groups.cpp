@@ -97,8 +97,8 @@ std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const Tr
     terms.push_back(make_term(sensor, frame, inliers[static_cast<std::size_t>(i)], i));
     if (!(terms.back().point.z() > 0.05)) terms.pop_back();
   }
-  constexpr double kTimeError = 0.002;  // [s] of a row against the pose
-  const double blur = sensor.camera.fx * kTimeError * frame.motion.twist.tail<3>().norm();
+  const double time_error = 0.001 + 0.15 * sensor.camera.readout_time;  // [s] of a row against the pose
+  const double blur = sensor.camera.fx * time_error * frame.motion.twist.tail<3>().norm();
   // Overlapping squares and ranges of depth, so that most things lie within one.
   constexpr double kColumns = 4, kDepthStep = 0.3;  // depth by its logarithm
   const double side = static_cast<double>(sensor.camera.width) / kColumns;

@@ -67,7 +67,11 @@ def read(path):
             raise ValueError(f"{path}: the file is damaged (its checksum is wrong)")
     tensors = {}
     for name, entry in header.items():
-        begin, end = entry["data_offsets"]
-        array = np.frombuffer(data[8 + length + begin:8 + length + end], _TYPES[entry["dtype"]])
-        tensors[name] = array.reshape(entry["shape"])
+        try:
+            begin, end = entry["data_offsets"]
+            dtype, shape = _TYPES[entry["dtype"]], entry["shape"]
+        except (KeyError, TypeError, ValueError) as error:
+            raise ValueError(f"{path}: the entry {name!r} of its header is damaged") from error
+        array = np.frombuffer(data[8 + length + begin:8 + length + end], dtype)
+        tensors[name] = array.reshape(shape)
     return tensors, metadata

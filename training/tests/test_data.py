@@ -1,5 +1,7 @@
 """Views, composition, samples and the validation list."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import tempfile
 import unittest
 from collections import Counter

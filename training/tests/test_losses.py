@@ -1,5 +1,7 @@
 """Detail guidance and hard cross-entropy on cases that can be worked out by hand."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import math
 import unittest
 

@@ -1,5 +1,7 @@
 """Scores on masks whose scores can be worked out by hand."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import unittest
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The optimiser: orthogonal factors, equality with AdamW where it is AdamW, checkpoints."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import unittest
 
 import torch

@@ -1,5 +1,7 @@
 """The networks: names and shapes of the file contract, attention, fusion."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import unittest
 
 import torch

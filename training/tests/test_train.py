@@ -1,5 +1,7 @@
 """Training on made-up data: it learns, it resumes, the average follows."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import tempfile
 import unittest
 from pathlib import Path

@@ -1,5 +1,7 @@
 """A widened network computes what the narrow one does, and learns with its new channels."""
 
+from . import with_torch  # noqa: F401  # isort: skip
+
 import unittest
 
 import torch

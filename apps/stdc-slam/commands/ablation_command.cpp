@@ -1,94 +1,104 @@
 // stdc-slam ablation: the columns of Table 1, and the times of Table 4, on any sequences.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <map>
 #include <memory>
 #include <opencv2/core/utility.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "commands/ablation_columns.hpp"
 #include "commands/ablation_table.hpp"
 #include "commands/commands.hpp"
-#include "commands/settings_options.hpp"
 #include "core/error.hpp"
-#include "evaluation/trajectory_error.hpp"
+#include "run/mask_check.hpp"
 #include "run/output_folder.hpp"
+#include "run/run_score.hpp"
 #include "run/run_trajectories.hpp"
 #include "run/track_frames.hpp"
 
 namespace stdc::app {
 namespace {
 
-struct Column {
-  const char* title;
-  const char* settings;  ///< name of the settings that ship
-};
-constexpr std::array kColumns{
-    Column{"OS3", "os3"},
-    Column{"OS3+S", "os3-s"},
-    Column{"OS3+S+SRM", "os3-s-srm"},
-    Column{"OS3+S+SRM+Q", "os3-s-srm-q"},
-    Column{"OS3+Q", "os3-q"},
-};
-
 struct Options {
   std::vector<std::string> sequences;
-  std::optional<std::string> output, camera, weights;
-  std::string masks_from = "network", frames;
-  std::vector<std::string> assignments;
+  std::optional<std::string> output, camera;
+  std::string frames;
+  AblationOptions columns;
   bool markdown = false, quiet = false;
 };
 
-Settings column_settings(const Options& options, const Column& column, SegmentationOptions& segmentation) {
-  const Settings settings = chosen_settings({column.settings, "", "", {}});
-  if (settings.segmentation.source != SegmentationSource::off) {
-    segmentation.source = options.masks_from;
-    segmentation.weights = options.weights;
+using Inputs = std::vector<std::unique_ptr<SequenceInput>>;
+
+/// Results are told apart by the names of the sequences.
+void check_names(const Options& options, const Inputs& inputs) {
+  std::map<std::string, std::string> folders;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto [entry, is_new] = folders.emplace(inputs[i]->name, options.sequences[i]);
+    if (is_new) continue;
+    throw Error(options.sequences[i], fmt::format("has the same name as {}", entry->second),
+                "give each sequence once, and folders of different names");
   }
-  return chosen_settings({column.settings, "", "", options.assignments}, segmentation);
 }
 
+/// Opens the sequences and finds what would otherwise end the command after minutes of work.
+Inputs open_inputs(const Options& options, const std::vector<AblationColumn>& columns) {
+  Inputs inputs;
+  for (const std::string& folder : options.sequences) {
+    inputs.push_back(std::make_unique<SequenceInput>(folder, options.camera, options.frames));
+    const SequenceInput& input = *inputs.back();
+    input.required_truth();
+    for (const AblationColumn& column : columns) {
+      const SegmentationSource source = column.settings.segmentation.source;
+      if (source == SegmentationSource::off) continue;
+      chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation);
+      if (source == SegmentationSource::masks) check_masks(mask_folder(column.segmentation, folder), input);
+      break;  // the others have their masks from the same place
+    }
+  }
+  check_names(options, inputs);
+  return inputs;
+}
+
+/// @param warnings  what was said about the truth of this sequence
 AblationCell run_column(const SequenceInput& input, const std::string& folder, const Options& options,
-                        const Column& column, const InterruptWatch& interrupts) {
-  SegmentationOptions segmentation;
-  const Settings settings = column_settings(options, column, segmentation);
-  Slam slam(input.camera, settings, chosen_segmenter(segmentation, settings, folder, input.camera.rotation));
+                        const AblationColumn& column, const InterruptWatch& interrupts,
+                        std::set<std::string>& warnings) {
+  Slam slam(input.camera, column.settings,
+            chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation));
   RunRecord record;
-  track_frames(input,
-               {colour_mode(settings), false, options.quiet, fmt::format("{}, {}", input.name, column.title)},
-               interrupts, slam, record);
+  track_frames(
+      input,
+      {colour_mode(column.settings), false, options.quiet, fmt::format("{}, {}", input.name, column.title)},
+      interrupts, slam, record);
   AblationCell cell;
   const Trajectory estimate = by_map(slam.trajectory(), {}).frames;
-  cell.coverage = static_cast<double>(estimate.size()) / std::max(1, record.counts().total());
+  cell.coverage = static_cast<double>(estimate.size()) / static_cast<double>(input.frames.size());
   cell.frame_ms = record.stage(&StageTimes::total).median;
-  try {
-    cell.ate_rmse = score_trajectory(*input.truth, estimate).ate.rmse;
-  } catch (const Error&) {
-    // Too few poses to be scored; the coverage says so.
-  }
+  const RunScore score = score_run(input, estimate);
+  if (score.scores) cell.ate_rmse = score.scores->ate.rmse;
+  if (!score.warning.empty() && warnings.insert(score.warning).second)
+    fmt::print(stderr, "stdc-slam: {}\n", score.warning);
   return cell;
 }
 
 void run_ablation(const Options& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
+  const std::vector<AblationColumn> columns = ablation_columns(options.columns);
+  const Inputs inputs = open_inputs(options, columns);
   std::optional<OutputFolder> output;
   if (options.output) output.emplace(*options.output);
-  std::vector<std::unique_ptr<SequenceInput>> inputs;
-  for (const std::string& folder : options.sequences) {
-    inputs.push_back(std::make_unique<SequenceInput>(folder, options.camera, options.frames));
-    if (!inputs.back()->truth) {
-      throw Error(folder, "it has no groundtruth.txt to score against", "give sequences with a ground truth");
-    }
-  }
   AblationTable table;
-  for (const Column& column : kColumns) table.columns.emplace_back(column.title);
+  for (const AblationColumn& column : columns) table.columns.emplace_back(column.title);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     AblationRow row{inputs[i]->name, {}};
-    for (const Column& column : kColumns) {
-      row.cells.push_back(run_column(*inputs[i], options.sequences[i], options, column, interrupts));
+    std::set<std::string> warnings;
+    for (const AblationColumn& column : columns) {
+      row.cells.push_back(
+          run_column(*inputs[i], options.sequences[i], options, column, interrupts, warnings));
     }
     table.rows.push_back(std::move(row));
   }
@@ -126,12 +136,15 @@ void add_ablation_command(CLI::App& app) {
   command->add_option("--frames", options->frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
   command
       ->add_option(
-          "--masks-from", options->masks_from,
+          "--masks-from", options->columns.masks_from,
           "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
       ->check(CLI::IsMember({"network", "masks"}))
       ->capture_default_str();
-  command->add_option("--weights", options->weights, "Weights of the network; default: those that ship");
-  command->add_option("--set", options->assignments, "Change one setting in all columns; may be repeated")
+  command->add_option("--weights", options->columns.weights,
+                      "Weights of the network; default: those that ship");
+  command
+      ->add_option("--set", options->columns.assignments,
+                   "Change one setting in all columns; may be repeated, the last one counts")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--markdown", options->markdown, "Print tables in Markdown");

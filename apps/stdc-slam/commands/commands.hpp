@@ -5,7 +5,7 @@
 namespace stdc::app {
 
 // Each adds its subcommand to the program; the work is done in the subcommand's callback, which throws
-// stdc::Error for whatever the user can mend (exit code 2).
+// stdc::Error for whatever the user can correct (exit code 2).
 void add_evaluate_command(CLI::App& app);
 void add_ablation_command(CLI::App& app);
 void add_features_command(CLI::App& app);

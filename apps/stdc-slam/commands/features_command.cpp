@@ -85,7 +85,13 @@ std::vector<Row> measure_frames(const Options& options) {
   std::vector<FeatureExtractor> extractors;
   extractors.reserve(kSelections.size());
   for (const Selection selection : kSelections) {
-    extractors.emplace_back(FeatureSettings{.selection = selection, .keypoints = options.keypoints});
+    const FeatureSettings settings{.selection = selection, .keypoints = options.keypoints};
+    try {
+      settings.validate();
+    } catch (const Error& error) {
+      throw Error("--keypoints", error.problem(), error.hint());
+    }
+    extractors.emplace_back(settings);
   }
   std::optional<OutputFolder> pictures;
   if (options.debug_images) pictures.emplace(*options.debug_images);
@@ -180,7 +186,8 @@ void add_features_command(CLI::App& app) {
   command
       ->add_option("--frames", options->frames,
                    "Frames to show, counted from 0, e.g. 1,60,303 (default: all)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
       ->capture_default_str();
   command->add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");

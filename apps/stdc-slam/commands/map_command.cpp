@@ -6,6 +6,7 @@
 
 #include "atlas/map_file.hpp"
 #include "commands/commands.hpp"
+#include "core/error.hpp"
 #include "report/map_export.hpp"
 #include "report/map_report.hpp"
 #include "run/output_folder.hpp"
@@ -28,6 +29,10 @@ void print_info(const Options& options) {
 
 void export_map(const Options& options) {
   const StoredMap stored = load_map(options.file);
+  if (stored.atlas.keyframe_count() == 0) {
+    throw Error(options.file, "holds an empty map, there is nothing to export",
+                "give a map with keyframes; map info tells how many there are");
+  }
   OutputFolder output(options.output);
   output.write("points.ply", point_cloud_ply(stored.atlas));
   for (MapId map{0}; map < stored.atlas.next_map(); ++map.value) {

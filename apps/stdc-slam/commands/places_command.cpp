@@ -46,19 +46,40 @@ std::optional<Pose> pose_at(const Trajectory& truth, double timestamp) {
   return nearest->world_from_cam.inverse();
 }
 
-void run_test(const Options& options, const SequenceInput& input, PlaceRecognitionTest& test) {
+/// Adds every view that has a true pose; @returns how many have none.
+int run_test(const Options& options, const SequenceInput& input, PlaceRecognitionTest& test) {
+  int without_pose = 0;
   const auto step = static_cast<std::size_t>(options.step);
   const std::size_t views = (input.frames.size() + step - 1) / step;
   Progress progress("recognising", "views", static_cast<int>(views), options.quiet);
   for (std::size_t i = 0; i < input.frames.size(); i += step) {
     const SequenceFrame& files = input.frames[i];
     const auto pose = pose_at(*input.truth, files.timestamp);
-    if (pose) {
+    if (!pose) {
+      ++without_pose;
+    } else {
       test.add(input.first_frame + static_cast<int>(i), load_frame(files, input.camera, ColourMode::grey),
                *pose);
     }
     progress.update(static_cast<int>(i / step) + 1);
   }
+  return without_pose;
+}
+
+/// Throws Error if no image has a true pose: then there is nothing to judge.
+void check_truth(const SequenceInput& input) {
+  const Trajectory& truth = input.required_truth();
+  const bool any = std::any_of(input.frames.begin(), input.frames.end(), [&](const SequenceFrame& frame) {
+    return pose_at(truth, frame.timestamp).has_value();
+  });
+  if (any) return;
+  throw Error(
+      input.truth_path().string(),
+      fmt::format("has no pose within 20 ms of any image (poses: {:.3f} to {:.3f} s, images: {:.3f} to "
+                  "{:.3f} s)",
+                  truth.front().timestamp, truth.back().timestamp, input.frames.front().timestamp,
+                  input.frames.back().timestamp),
+      "give the truth of the same recording, with times in seconds");
 }
 
 std::optional<double> median(const std::vector<double>& values) { return quantiles(values).median; }
@@ -124,8 +145,8 @@ cv::Mat draw_curve(const PlaceScores& scores, const std::string& name) {
   }
   const int verified = scores.verified_right + scores.verified_wrong;
   if (verified > 0 && scores.possible > 0) {
-    plot.dot({0.01 * 100 * share(scores.verified_right, scores.possible).value_or(0),
-              0.01 * 100 * share(scores.verified_right, verified).value_or(0)},
+    plot.dot({share(scores.verified_right, scores.possible).value_or(0),
+              share(scores.verified_right, verified).value_or(0)},
              7, red);
   }
   plot.finish_area();
@@ -136,26 +157,28 @@ cv::Mat draw_curve(const PlaceScores& scores, const std::string& name) {
   return plot.image();
 }
 
+/// Empty where there was no answer, or no pose.
 std::string format_answers(const std::vector<PlaceAnswer>& answers) {
   std::string text = "frame,best_overlap,found,score,overlap,overlap_of_five,verified,error_m,error_rad\n";
   for (const PlaceAnswer& a : answers) {
-    text += fmt::format("{},{:.4f},{},{:.6f},{:.4f},{:.4f},{},{:.5f},{:.5f}\n", a.frame, a.best_overlap,
-                        a.found ? std::to_string(*a.found) : "", a.score, a.overlap, a.overlap_of_five,
-                        a.verified ? 1 : 0, a.error_m, a.error_rad);
+    text += fmt::format("{},{:.4f},", a.frame, a.best_overlap);
+    text += a.found ? fmt::format("{},{:.6f},{:.4f},{:.4f},", *a.found, a.score, a.overlap, a.overlap_of_five)
+                    : std::string(",,,,");
+    text += a.verified ? fmt::format("1,{:.5f},{:.5f}\n", a.error_m, a.error_rad) : std::string("0,,\n");
   }
   return text;
 }
 
 void run(const Options& options) {
   const SequenceInput input(options.sequence, options.camera, options.frames);
-  if (!input.truth) {
-    throw Error(options.sequence, "has no groundtruth.txt",
-                "places can only be judged where poses are known");
-  }
+  check_truth(input);
   std::optional<OutputFolder> output;
   if (options.output) output.emplace(*options.output);
   PlaceRecognitionTest test(input.camera, options.test);
-  run_test(options, input, test);
+  if (const int without_pose = run_test(options, input, test); without_pose > 0) {
+    fmt::print(stderr, "stdc-slam: {}: {} views have no pose within 20 ms and are left out\n",
+               input.truth_path().string(), without_pose);
+  }
   const PlaceScores scores = score_places(test.answers(), options.test);
   if (output) {
     output->write("places.csv", format_answers(test.answers()));

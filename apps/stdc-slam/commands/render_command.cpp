@@ -7,11 +7,13 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "core/error.hpp"
 #include "input/camera_file.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/progress.hpp"
@@ -76,6 +78,27 @@ class RenderJob {
   std::exception_ptr failure_;
 };
 
+/// What the renderer would pass over.
+void check_effect(const Options& options, simulation::Preset preset, const std::optional<Camera>& camera) {
+  const bool still = preset == simulation::Preset::static_desk || preset == simulation::Preset::static_room;
+  if (options.without_people && still) {
+    throw Error("--without-people", fmt::format("has no effect, nothing moves in {}", options.preset),
+                "leave it out");
+  }
+  if (!camera) return;
+  if (camera->readout_time != 0) {
+    throw Error(options.camera,
+                fmt::format("readout_time {:g} cannot be rendered, all rows are exposed at once",
+                            camera->readout_time),
+                "leave it out of the camera file, or make it 0");
+  }
+  if (camera->rotation != 0) {
+    throw Error(options.camera,
+                fmt::format("rotation {} cannot be rendered, the camera is held upright", camera->rotation),
+                "leave it out of the camera file, or make it 0");
+  }
+}
+
 void render(const Options& options) {
   const InterruptWatch interrupts;
   const simulation::Preset preset = simulation::preset_named(options.preset);
@@ -84,6 +107,7 @@ void render(const Options& options) {
   settings.with_people = !options.without_people;
   settings.motion_blur = options.motion_blur;
   if (!options.camera.empty()) settings.camera = read_camera(options.camera);
+  check_effect(options, preset, settings.camera);
   // The writer comes first: a bad output folder is found before any work is done.
   const int default_frames = simulation::RenderedSequence::frame_count(
       preset, settings.camera.value_or(simulation::default_render_camera()));

@@ -1,19 +1,21 @@
 // stdc-slam segment: masks of people and other dynamic classes, for images or a sequence.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
 
 #include "commands/commands.hpp"
 #include "commands/segment_images.hpp"
+#include "commands/truth_masks.hpp"
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
 #include "core/stopwatch.hpp"
 #include "input/camera_file.hpp"
+#include "report/mask_overlay.hpp"
 #include "report/segment_report.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/output_folder.hpp"
@@ -59,24 +61,22 @@ NetworkSettings network_settings(const Options& options) {
   return settings;
 }
 
+/// An ONNX model is computed by OpenCV, which knows none of these.
+void check_onnx_options(const Options& options) {
+  if (!options.weights || std::filesystem::path(*options.weights).extension() != ".onnx") return;
+  const auto refuse = [](bool given, const char* option) {
+    if (given)
+      throw Error(option, "has no effect on an ONNX model", "leave it out, or give .safetensors weights");
+  };
+  refuse(options.int8, "--int8");
+  refuse(options.fp32, "--fp32");
+  refuse(options.threads != 1, "--threads");
+}
+
 TruthKind truth_kind(const Options& options) {
   if (options.truth_kind == "masks") return TruthKind::masks;
   if (options.truth_kind == "labels") return TruthKind::labels;
   throw Error("--truth", fmt::format("'{}' is not known", options.truth_kind), "give masks or labels");
-}
-
-/// The image with the mask in red and its outline in white.
-cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask) {
-  cv::Mat picture = image;
-  if (image.channels() == 1) cv::cvtColor(image, picture, cv::COLOR_GRAY2BGR);
-  cv::Mat tinted, inner;
-  cv::addWeighted(picture, 0.5, cv::Mat(picture.size(), CV_8UC3, cv::Scalar(40, 30, 230)), 0.5, 0, tinted);
-  cv::Mat result = picture.clone();
-  tinted.copyTo(result, mask);
-  cv::erode(mask, inner, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}), {-1, -1}, 1, cv::BORDER_CONSTANT,
-            cv::Scalar(255));
-  result.setTo(cv::Scalar(255, 255, 255), mask & ~inner);
-  return result;
 }
 
 /// The camera whose `rotation` counts: --camera, or that of a sequence; nothing for photos.
@@ -104,7 +104,7 @@ Orientation orientation_of(const StoredImage& stored, const SegmentImage& image,
 /// Segments one image, writes the results and tells about it.
 SegmentedImage segment_image(const Options& options, const std::optional<Camera>& camera,
                              const SegmentImage& image, int frame, Segmenter& segmenter,
-                             OutputFolder& output) {
+                             std::optional<TruthMasks>& truths, OutputFolder& output) {
   const StoredImage stored = load_segment_image(image.path);
   const Orientation orientation = orientation_of(stored, image, options, camera);
   const cv::Mat upright = to_upright(stored.colour, orientation);
@@ -123,8 +123,8 @@ SegmentedImage segment_image(const Options& options, const std::optional<Camera>
     const cv::Mat overlay = camera ? draw_overlay(stored.colour, mask) : draw_overlay(upright, upright_mask);
     output.write(image.name + "-overlay.jpg", encode_jpeg(overlay));
   }
-  if (options.truth) {
-    const auto truth = load_truth(*options.truth, image, mask.size(), truth_kind(options), orientation);
+  if (truths) {
+    const auto truth = truths->load(image, mask.size(), orientation);
     if (truth) result.counts = count_mask(mask, truth->mask, truth->ignore);
   }
   return result;
@@ -139,11 +139,28 @@ std::string mask_list(const std::vector<SegmentImage>& images) {
   return text;
 }
 
+/// Throws Error if no image could be scored; says on stderr if some could not.
+void check_scores(const Options& options, const std::vector<SegmentedImage>& results) {
+  if (!options.truth) return;
+  const auto not_scored = [](const SegmentedImage& result) { return !result.counts.has_value(); };
+  const auto missing = static_cast<std::size_t>(std::count_if(results.begin(), results.end(), not_scored));
+  if (missing == 0) return;
+  if (missing == results.size()) {
+    throw Error(*options.truth, "has no mask for any of the images",
+                "give a folder of PNGs named like the images");
+  }
+  const auto first = std::find_if(results.begin(), results.end(), not_scored);
+  fmt::print(stderr, "stdc-slam: {}: has no mask for {} of {} images, such as {}; they are not scored\n",
+             *options.truth, missing, results.size(), first->name);
+}
+
 void segment(const Options& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
   const std::vector<SegmentImage> images = list_segment_images(options.input, options.frames);
-  truth_kind(options);
+  std::optional<TruthMasks> truths;
+  if (options.truth) truths.emplace(*options.truth, truth_kind(options));
+  check_onnx_options(options);
   const std::optional<Camera> camera = camera_of(options, images);
   const auto segmenter = make_weights_segmenter(options.weights.value_or(""), network_settings(options));
   OutputFolder output(options.output);
@@ -157,16 +174,11 @@ void segment(const Options& options) {
           "start again, perhaps with fewer --frames");
     }
     const auto number = static_cast<int>(results.size());
-    results.push_back(segment_image(options, camera, image, number, *segmenter, output));
+    results.push_back(segment_image(options, camera, image, number, *segmenter, truths, output));
     progress.update(static_cast<int>(results.size()));
   }
   progress.finish();
-  const bool scored = std::any_of(results.begin(), results.end(),
-                                  [](const SegmentedImage& result) { return result.counts.has_value(); });
-  if (options.truth && !scored) {
-    throw Error(*options.truth, "has no mask for any of the images",
-                "give a folder of PNGs named like the images");
-  }
+  check_scores(options, results);
   output.write("segments.csv", segments_csv(results));
   if (const std::string masks = mask_list(images); !masks.empty()) output.write("mask.txt", masks);
   output.commit();
@@ -220,12 +232,14 @@ void add_segment_command(CLI::App& app) {
   command->add_option("--camera", options->camera,
                       "Camera file whose 'rotation' says which way up the images are, in place of EXIF");
   command->add_option("--threads", options->threads, "Threads of inference")->capture_default_str();
-  command->add_option("--score", options->truth, "Folder of true masks to compare with")->type_name("FOLDER");
+  CLI::Option* score = command->add_option("--score", options->truth, "Folder of true masks to compare with")
+                           ->type_name("FOLDER");
   command
       ->add_option("--truth", options->truth_kind,
                    "What the true masks hold: masks (128 and above = dynamic) or labels (255 = in doubt)")
       ->type_name("masks|labels")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(score);
   command->add_flag("--no-overlays", options->no_overlays, "Write masks only");
   command->add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command->footer(kFooter);

@@ -30,24 +30,4 @@ struct StoredImage {
 /// Reads an image of any size. Throws Error naming the file.
 StoredImage load_segment_image(const std::filesystem::path& path);
 
-/// What a mask is compared with.
-struct TruthMask {
-  cv::Mat mask;    ///< CV_8UC1, not 0 = dynamic
-  cv::Mat ignore;  ///< CV_8UC1, not 0 = in doubt; may be empty
-};
-
-/// How true masks are stored.
-enum class TruthKind {
-  masks,   ///< 128 and above = dynamic
-  labels,  ///< 0 = background, 255 = in doubt, others = dynamic
-};
-
-/// The true mask of an image in `folder`: the PNG of the same name or, for sequences, of the same time (as
-/// `run --masks` finds it); nothing if there is none. It may lie on the stored image or on the upright one,
-/// where their sizes differ. Throws Error for a damaged one or another size.
-/// @param size  of the stored image
-std::optional<TruthMask> load_truth(const std::filesystem::path& folder, const SegmentImage& image,
-                                    cv::Size size, TruthKind kind,
-                                    Orientation orientation = Orientation::upright);
-
 }  // namespace stdc::app

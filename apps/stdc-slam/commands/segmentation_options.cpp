@@ -1,7 +1,6 @@
 #include "commands/segmentation_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 
 #include "core/error.hpp"
 #include "slam/make_segmenter.hpp"
@@ -52,11 +51,13 @@ ColourMode colour_mode(const Settings& settings) {
                                                                      : ColourMode::grey;
 }
 
+std::filesystem::path mask_folder(const SegmentationOptions& options, const std::filesystem::path& sequence) {
+  return options.masks ? std::filesystem::path(*options.masks) : sequence / "mask";
+}
+
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
-                                            const std::string& sequence, int rotation) {
-  const std::filesystem::path masks =
-      options.masks ? std::filesystem::path(*options.masks) : std::filesystem::path(sequence) / "mask";
-  return make_segmenter(settings, {options.weights.value_or(""), masks}, rotation);
+                                            const std::filesystem::path& sequence, int rotation) {
+  return make_segmenter(settings, {options.weights.value_or(""), mask_folder(options, sequence)}, rotation);
 }
 
 }  // namespace stdc::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,11 +30,12 @@ void apply_segmentation_options(const SegmentationOptions& options, Settings& se
 void check_segmentation_options(const SegmentationOptions& options, const Settings& settings);
 /// Only the network looks at colours; without it, grey is decoded faster.
 ColourMode colour_mode(const Settings& settings);
+/// Where masks from files are: --masks, else the folder `mask` of the sequence.
+std::filesystem::path mask_folder(const SegmentationOptions& options, const std::filesystem::path& sequence);
 /// The segmenter that the settings ask for; null if segmentation is off.
-/// @param sequence  folder of the sequence: masks are taken from its `mask` folder if --masks is not given
 /// @param rotation  Camera::rotation
 /// Throws Error if its weights or masks are missing or wrong.
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
-                                            const std::string& sequence, int rotation);
+                                            const std::filesystem::path& sequence, int rotation);
 
 }  // namespace stdc::app

@@ -1,8 +1,11 @@
 #include "commands/settings_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "commands/builtin_settings.hpp"
+#include "core/error.hpp"
 #include "slam/settings_io.hpp"
 
 namespace stdc::app {
@@ -13,7 +16,9 @@ void add_settings_options(CLI::App& command, SettingsOptions& options) {
       "YAML file with settings (see: stdc-slam settings --yaml), or the name of one that ships: os3, os3-q, "
       "os3-s, os3-s-srm, os3-s-srm-q");
   command.add_option("--selection", options.selection, "Keypoint selection: improved or orb-slam3");
-  command.add_option("--set", options.assignments, "Change one setting: section.key=value; may be repeated")
+  command
+      .add_option("--set", options.assignments,
+                  "Change one setting: section.key=value; may be repeated, the last one counts")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -26,6 +31,20 @@ void add_motion_option(CLI::App& command, SettingsOptions& options) {
       ->type_name("off|flow|multi-view|map");
 }
 
+std::string assignment_of(const SettingsOptions& options, const std::string& setting) {
+  for (const std::string& assignment : options.assignments) {
+    if (assignment.starts_with(setting + "=")) return "--set " + assignment;
+  }
+  return {};
+}
+
+void check_not_assigned(bool given, const char* option, const SettingsOptions& options,
+                        const std::string& setting) {
+  const std::string assignment = assignment_of(options, setting);
+  if (!given || assignment.empty()) return;
+  throw Error(option, fmt::format("is the same setting as {}", assignment), "leave out one of the two");
+}
+
 Settings chosen_settings(const SettingsOptions& options, const SegmentationOptions& segmentation) {
   Settings settings;
   if (const BuiltinSettings* builtin = find_builtin_settings(options.file)) {
@@ -33,6 +52,10 @@ Settings chosen_settings(const SettingsOptions& options, const SegmentationOptio
   } else if (!options.file.empty()) {
     read_settings(options.file, settings);
   }
+  check_not_assigned(!options.selection.empty(), "--selection", options, "features.selection");
+  check_not_assigned(!options.motion.empty(), "--motion", options, "motion.method");
+  check_not_assigned(!segmentation.source.empty(), "--segmentation", options, "segmentation.source");
+  check_not_assigned(!segmentation.refinement.empty(), "--refinement", options, "segmentation.refinement");
   if (!options.selection.empty()) apply_setting("features.selection=" + options.selection, settings);
   if (!options.motion.empty()) apply_setting("motion.method=" + options.motion, settings);
   apply_segmentation_options(segmentation, settings);

@@ -24,8 +24,13 @@ struct SettingsOptions {
 void add_settings_options(CLI::App& command, SettingsOptions& options);
 /// Adds --motion to a command.
 void add_motion_option(CLI::App& command, SettingsOptions& options);
+/// The --set option that assigns a setting ("section.key"); empty if none does.
+std::string assignment_of(const SettingsOptions& options, const std::string& setting);
+/// Throws Error if `option` was given and a --set assigns the same setting: one of the two would be ignored.
+void check_not_assigned(bool given, const char* option, const SettingsOptions& options,
+                        const std::string& setting);
 /// The defaults, changed by the file, then by the options, then by the assignments in their order.
-/// Throws Error.
+/// Throws Error, also for an option and an assignment of the same setting.
 Settings chosen_settings(const SettingsOptions& options, const SegmentationOptions& segmentation = {});
 
 }  // namespace stdc::app

@@ -18,7 +18,7 @@ struct TopView {
   std::optional<Pose> truth_from_estimate;
 };
 
-/// Draws the way of the camera from above: the estimate coloured by its distance from the truth, keyframes,
+/// Draws the trajectory from above: the estimate coloured by its distance from the truth, keyframes,
 /// landmarks, axes in metres and a legend. With a truth that is aligned its x-y plane is drawn (TUM's z
 /// points up), else the x-z plane of the first camera. BGR, 1600 x 1200 px.
 cv::Mat draw_top_view(const TopView& view);

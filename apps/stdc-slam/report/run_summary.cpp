@@ -77,15 +77,15 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
   if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
   if (summary.truth) {
     json["groundtruth"] = {{"rows", summary.truth->rows},
-                           {"convention", summary.truth_convention.note()},
+                           {"convention", summary.score.convention.note()},
                            {"left_out", summary.truth->left_out()},
                            {"reasons",
                             {{"without_pose", summary.truth->without_pose},
                              {"malformed", summary.truth->malformed},
                              {"repeated", summary.truth->repeated}}}};
   }
-  if (summary.scores) json["scores"] = scores_to_json(*summary.scores);
-  if (!summary.not_scored.empty()) json["not_scored"] = summary.not_scored;
+  if (summary.score.scores) json["scores"] = scores_to_json(*summary.score.scores);
+  if (!summary.score.not_scored.empty()) json["not_scored"] = summary.score.not_scored;
   json["camera"] = camera_to_json(summary.camera);
   json["settings"] = settings_to_json(settings);
   return json.dump(2) + "\n";
@@ -111,8 +111,8 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   text += record.segmentation_text();
   text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
                       summary.usage.cpu_seconds, summary.usage.peak_memory_mb, record.start_up_seconds());
-  if (summary.scores) text.append("\n").append(format_scores(*summary.scores));
-  if (!summary.not_scored.empty()) text += fmt::format("not scored: {}\n", summary.not_scored);
+  if (summary.score.scores) text.append("\n").append(format_scores(*summary.score.scores));
+  if (!summary.score.not_scored.empty()) text += fmt::format("not scored: {}\n", summary.score.not_scored);
   return text;
 }
 

@@ -3,11 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "evaluation/trajectory_error.hpp"
-#include "evaluation/truth_convention.hpp"
 #include "input/ground_truth.hpp"
 #include "report/run_record.hpp"
 #include "run/process_usage.hpp"
+#include "run/run_score.hpp"
 #include "slam/settings.hpp"
 
 namespace stdc::app {
@@ -22,10 +21,8 @@ struct RunSummary {
   int poses_elsewhere = 0;  ///< and in other maps
   int maps = 0, keyframes = 0, landmarks = 0;
   ProcessUsage usage;
-  std::optional<TrajectoryScores> scores;
   std::optional<GroundTruth> truth;  ///< for what was left out of it
-  TruthConvention truth_convention;  ///< how it had to be read
-  std::string not_scored;            ///< why there are no scores though there is a ground truth
+  RunScore score;
 };
 
 /// summary.json.

@@ -4,22 +4,23 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/quantiles.hpp"
+
 namespace stdc::app {
 namespace {
-
-std::string row(const char* name, const ErrorStatistics& errors, double factor, const char* unit) {
-  return fmt::format("{:<28} {:>10.3f} {:>10.3f} {:>10.3f} {:>10.3f}  {}\n", name, factor * errors.rmse,
-                     factor * errors.mean, factor * errors.median, factor * errors.maximum, unit);
-}
 
 /// A statistic without data has no numbers.
 std::string row(const char* name, const std::optional<ErrorStatistics>& errors, double factor,
                 const char* unit) {
-  if (errors) return row(name, *errors, factor, unit);
-  return fmt::format("{:<28} {:>10} {:>10} {:>10} {:>10}  {}\n", name, "-", "-", "-", "-", unit);
+  std::string line = fmt::format("{:<28}", name);
+  for (const auto value : {&ErrorStatistics::rmse, &ErrorStatistics::mean, &ErrorStatistics::median,
+                           &ErrorStatistics::maximum}) {
+    line += errors ? fmt::format(" {:>10.3f}", factor * (*errors).*value) : fmt::format(" {:>10}", "-");
+  }
+  return line + fmt::format("  {}\n", unit);
 }
 
-nlohmann::ordered_json to_json(const std::optional<ErrorStatistics>& statistics) {
+nlohmann::ordered_json statistics_to_json(const std::optional<ErrorStatistics>& statistics) {
   if (!statistics) return {{"rmse", nullptr}, {"mean", nullptr}, {"median", nullptr}, {"max", nullptr}};
   const ErrorStatistics& errors = *statistics;
   return {{"rmse", errors.rmse}, {"mean", errors.mean}, {"median", errors.median}, {"max", errors.maximum}};
@@ -35,19 +36,19 @@ std::string format_scores(const TrajectoryScores& scores) {
          row("RPE per frame, rotation", scores.rpe_frame_rotation, 1, "deg") +
          row("RPE per second, translation", scores.rpe_second_translation, kMillimetres, "mm") +
          row("RPE per second, rotation", scores.rpe_second_rotation, 1, "deg") +
-         fmt::format("{} pairs, coverage {:.1f} %\n", scores.pairs, 100 * scores.coverage);
+         fmt::format("{} pairs, coverage {} %\n", scores.pairs, to_text(scores.coverage, 1, 100));
 }
 
 nlohmann::ordered_json scores_to_json(const TrajectoryScores& scores) {
   const Eigen::Vector3d& t = scores.truth_from_estimate.translation;
   const Eigen::Quaterniond& q = scores.truth_from_estimate.rotation;
   return {{"pairs", scores.pairs},
-          {"coverage", scores.coverage},
-          {"ate_m", to_json(scores.ate)},
-          {"rpe_frame_translation_m", to_json(scores.rpe_frame_translation)},
-          {"rpe_frame_rotation_deg", to_json(scores.rpe_frame_rotation)},
-          {"rpe_second_translation_m", to_json(scores.rpe_second_translation)},
-          {"rpe_second_rotation_deg", to_json(scores.rpe_second_rotation)},
+          {"coverage", to_json(scores.coverage)},
+          {"ate_m", statistics_to_json(scores.ate)},
+          {"rpe_frame_translation_m", statistics_to_json(scores.rpe_frame_translation)},
+          {"rpe_frame_rotation_deg", statistics_to_json(scores.rpe_frame_rotation)},
+          {"rpe_second_translation_m", statistics_to_json(scores.rpe_second_translation)},
+          {"rpe_second_rotation_deg", statistics_to_json(scores.rpe_second_rotation)},
           {"truth_from_estimate",
            {{"translation_m", {t.x(), t.y(), t.z()}}, {"rotation_xyzw", {q.x(), q.y(), q.z(), q.w()}}}}};
 }

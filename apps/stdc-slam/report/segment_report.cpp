@@ -57,7 +57,7 @@ std::string segment_summary(const std::vector<SegmentedImage>& images) {
   constexpr double kP95 = 0.95;
   const double median = quantile(wall, 0.5);
   std::string text = fmt::format(
-      "images      {}\ntime        {:.1f} ms median, {:.1f} ms p95 ({:.1f} ms CPU median, {:.1f} ms least)\n"
+      "images      {}\ntime        {:.1f} ms median, {:.1f} ms p95 ({:.1f} ms CPU median, min {:.1f} ms)\n"
       "rate        {:.1f} images per second at the median\ndynamic     {:.2f} % of the pixels\n",
       images.size(), median, quantile(wall, kP95), quantile(cpu, 0.5), quantile(cpu, 0),
       1000 / std::max(median, 1e-6), 100 * dynamic);

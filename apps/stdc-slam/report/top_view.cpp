@@ -83,7 +83,7 @@ Plot make_plot(const std::vector<Eigen::Vector2d>& points, bool true_frame) {
     high = high.cwiseMax(point);
   }
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(0.1 * std::max((high - low).maxCoeff(), 0.1));
-  return {low - margin, high + margin, "The way of the camera from above",
+  return {low - margin, high + margin, "The trajectory from above",
           true_frame ? "x [m], frame of the ground truth" : "x [m], frame of the first camera",
           true_frame ? "y [m]" : "z [m]"};
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <opencv2/core/utility.hpp>
 #include <system_error>
@@ -14,30 +13,18 @@
 #include "report/run_record.hpp"
 #include "report/run_summary.hpp"
 #include "run/interrupt_watch.hpp"
+#include "run/mask_check.hpp"
 #include "run/output_folder.hpp"
+#include "run/run_score.hpp"
 #include "run/run_trajectories.hpp"
 #include "run/sequence_input.hpp"
 #include "run/track_frames.hpp"
-#include "segmentation/mask_file_segmenter.hpp"
 #include "slam/slam.hpp"
 
 namespace stdc::app {
 namespace {
 
-/// Scores of a run; a run that cannot be scored is still a run.
-void score(const Trajectory& truth, const Trajectory& estimate, int frames, RunSummary& summary) {
-  constexpr double kMaxDifference = 0.02;  // [s]
-  summary.truth_convention = recognise_convention(truth, estimate);
-  try {
-    summary.scores =
-        score_trajectory(apply_convention(truth, summary.truth_convention), estimate, kMaxDifference, frames);
-  } catch (const Error& error) {
-    summary.not_scored = error.problem();
-  }
-}
-
-RunSummary summarise(const SequenceInput& input, const RunRecord& record, const Slam& slam,
-                     const RunTrajectories& trajectories) {
+RunSummary summarise(const SequenceInput& input, const Slam& slam, const RunTrajectories& trajectories) {
   RunSummary summary;
   summary.sequence = input.name;
   summary.camera = format_camera(input.camera);
@@ -50,10 +37,8 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
   summary.keyframes = slam.keyframes();
   summary.landmarks = slam.landmarks();
   summary.truth = input.truth_file;
-  if (input.truth_file && !input.truth) summary.not_scored = "the ground truth has no poses";
-  if (input.truth) score(*input.truth, trajectories.frames, record.counts().total(), summary);
-  if (!summary.truth_convention.usual())
-    fmt::print(stderr, "stdc-slam: the ground truth: {}\n", summary.truth_convention.note());
+  summary.score = score_run(input, trajectories.frames);
+  if (!summary.score.warning.empty()) fmt::print(stderr, "stdc-slam: {}\n", summary.score.warning);
   summary.usage = process_usage();
   return summary;
 }
@@ -66,26 +51,6 @@ void check_map_options(const RunOptions& options, const Settings& settings) {
   if (settings.system.localisation_only && options.save_map) {
     throw Error("--save-map", "with --localisation-only the map stays as it is", "leave out one of the two");
   }
-}
-
-/// Masks that belong to no image would be passed over frame by frame.
-void check_masks(const RunOptions& options, const Settings& settings, const SequenceInput& input) {
-  if (settings.segmentation.source != SegmentationSource::masks) return;
-  const std::filesystem::path folder = options.segmentation.masks
-                                           ? std::filesystem::path(*options.segmentation.masks)
-                                           : options.sequence / "mask";
-  const std::vector<MaskFile> masks = list_masks(folder);
-  const bool any = std::any_of(input.frames.begin(), input.frames.end(), [&](const SequenceFrame& frame) {
-    return find_mask(masks, frame.timestamp, MaskFileSegmenter::kTolerance) != nullptr;
-  });
-  if (any) return;
-  throw Error(
-      folder.string(),
-      fmt::format("none of its {} masks has the time of an image (masks: {:.3f} to {:.3f} s, images: {:.3f} "
-                  "to {:.3f} s)",
-                  masks.size(), masks.front().timestamp, masks.back().timestamp,
-                  input.frames.front().timestamp, input.frames.back().timestamp),
-      "name the masks like the colour images, or give the folder that belongs to the sequence");
 }
 
 /// What would otherwise come to light at the end. The output folder, which may be the place, must be there.
@@ -125,14 +90,16 @@ bool run_sequence(const RunOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
   Settings settings = chosen_settings(options.settings, options.segmentation);
-  settings.system.report_keypoints = options.debug_images.has_value();
-  settings.system.report_masks = options.save_masks.has_value();
+  check_not_assigned(options.localisation_only, "--localisation-only", options.settings,
+                     "system.localisation_only");
+  settings.system.report_keypoints = settings.system.report_keypoints || options.debug_images.has_value();
+  settings.system.report_masks = settings.system.report_masks || options.save_masks.has_value();
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
-  auto segmenter =
-      chosen_segmenter(options.segmentation, settings, options.sequence.string(), input.camera.rotation);
-  check_masks(options, settings, input);
+  auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence, input.camera.rotation);
+  if (settings.segmentation.source == SegmentationSource::masks)
+    check_masks(mask_folder(options.segmentation, options.sequence), input);
   OutputFolder output(options.output);
   check_place_for_map(options);
   std::optional<DebugImages> pictures;
@@ -148,12 +115,12 @@ bool run_sequence(const RunOptions& options) {
   const RunTrajectories trajectories =
       by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
              slam.keyframe_trajectory());
-  const RunSummary summary = summarise(input, record, slam, trajectories);
+  const RunSummary summary = summarise(input, slam, trajectories);
   if (pictures) {
     pictures->add_top_view(
         {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
-         apply_convention(input.truth.value_or(Trajectory()), summary.truth_convention),
-         summary.scores ? std::optional(summary.scores->truth_from_estimate) : std::nullopt});
+         apply_convention(input.truth.value_or(Trajectory()), summary.score.convention),
+         summary.score.scores ? std::optional(summary.score.scores->truth_from_estimate) : std::nullopt});
     pictures->commit();
   }
   if (masks) masks->commit();

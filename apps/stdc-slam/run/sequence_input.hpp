@@ -19,6 +19,14 @@ struct SequenceInput {
   /// Throws Error for whatever is wrong with the lists, the camera or the range.
   SequenceInput(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& camera,
                 const std::string& range, std::optional<double> rate = {});
+
+  /// Where a ground truth is, or would be.
+  std::filesystem::path truth_path() const { return sequence.folder() / "groundtruth.txt"; }
+  /// Why there is no `truth`, as Error words it: no such file, or no pose in it.
+  std::string why_no_truth() const;
+  /// The truth, for what makes no sense without it. Throws Error if there is none.
+  const Trajectory& required_truth() const;
+
   SequenceInput(const SequenceInput&) = delete;
   SequenceInput& operator=(const SequenceInput&) = delete;
 

@@ -13,7 +13,7 @@ STDC_POPCNT_VERSIONS
 BestMatch match_in_window(const FrameFeatures& frame, const Descriptor& query, const SearchWindow& window,
                           std::span<const std::uint8_t> taken) {
   BestMatch best;
-  frame.for_each_in_window(window.x, window.y, window.radius, window.lowest, window.highest, [&](int i) {
+  frame.for_each_in_window(window.x, window.y, window.radius, window.min_level, window.max_level, [&](int i) {
     if (!taken.empty() && taken[i] != 0) return;
     const int distance = hamming_distance(query, frame.descriptor(i));
     if (distance < best.distance) {

@@ -25,9 +25,9 @@ struct BestMatch {
 
 /// Where to look for a keypoint.
 struct SearchWindow {
-  float x = 0, y = 0;           ///< ideal pixel
-  float radius = 0;             ///< [px] along each axis
-  int lowest = 0, highest = 0;  ///< pyramid levels
+  float x = 0, y = 0;                ///< ideal pixel
+  float radius = 0;                  ///< [px] along each axis
+  int min_level = 0, max_level = 0;  ///< of the pyramid
 };
 
 /// Best match of a descriptor among the keypoints of a window that are not `taken` (per keypoint; empty: none

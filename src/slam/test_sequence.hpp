@@ -7,18 +7,18 @@
 
 namespace stdc::test {
 
-/// Small frames, rendered once for all tests.
-struct Footage {
+/// A sequence of small frames, rendered once for all tests.
+struct TestSequence {
   Camera camera;
   std::vector<simulation::RenderedFrame> frames;
 
   /// A hundred frames, 1/30 s apart.
-  static const Footage& of_a_desk();
+  static const TestSequence& of_a_desk();
   /// A walk through a quarter of a room: 120 frames, 1/15 s apart.
-  static const Footage& of_a_room();
+  static const TestSequence& of_a_room();
 
  private:
-  Footage(simulation::Preset preset, int first, int step, int count);
+  TestSequence(simulation::Preset preset, int first, int step, int count);
 };
 
 bool same_bytes(const std::vector<FramePose>& a, const std::vector<FramePose>& b);

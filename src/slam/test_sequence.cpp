@@ -1,4 +1,4 @@
-#include "slam/test_footage.hpp"
+#include "slam/test_sequence.hpp"
 
 #include <thread>
 
@@ -6,30 +6,30 @@
 
 namespace stdc::test {
 
-const Footage& Footage::of_a_desk() {
-  static const Footage footage(simulation::Preset::static_desk, 0, 1, 100);  // rendering takes seconds
-  return footage;
+const TestSequence& TestSequence::of_a_desk() {
+  static const TestSequence sequence(simulation::Preset::static_desk, 0, 1, 100);  // rendering takes seconds
+  return sequence;
 }
 
-const Footage& Footage::of_a_room() {
-  static const Footage footage(simulation::Preset::static_room, 250, 2, 120);
-  return footage;
+const TestSequence& TestSequence::of_a_room() {
+  static const TestSequence sequence(simulation::Preset::static_room, 250, 2, 120);
+  return sequence;
 }
 
-Footage::Footage(simulation::Preset preset, int first, int step, int count) {
+TestSequence::TestSequence(simulation::Preset preset, int first, int step, int count) {
   camera = simulation::default_render_camera();
   camera.width = 320;
   camera.height = 240;
   for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *value *= 0.5;
   simulation::RenderSettings settings;
   settings.camera = camera;
-  const simulation::RenderedSequence sequence(preset, settings);
+  const simulation::RenderedSequence rendered(preset, settings);
   frames.resize(count);
   std::vector<std::thread> threads;
   threads.reserve(2);
   for (int start = 0; start < 2; ++start) {
     threads.emplace_back([&, start] {
-      for (int i = start; i < count; i += 2) frames[i] = sequence.render(first + i * step);
+      for (int i = start; i < count; i += 2) frames[i] = rendered.render(first + i * step);
     });
   }
   for (std::thread& thread : threads) thread.join();

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace stdc::app {
+
+/// The image with the mask in red and its outline in white.
+/// @param image  CV_8UC3 or CV_8UC1
+/// @param mask   CV_8UC1 of the same size, 255 = dynamic
+/// @returns CV_8UC3
+cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask);
+
+}  // namespace stdc::app
