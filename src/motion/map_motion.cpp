@@ -87,7 +87,7 @@ std::vector<LandmarkId> MapMotion::find_gone(const SceneFrame& frame,
 }
 
 std::optional<double> MapMotion::agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
-                                           const cv::Mat& expected) {
+                                           const cv::Mat& expected) const {
   constexpr int kStep = 5, kMinKnown = 40;
   std::vector<StaticScene::Sample> samples;
   const auto metres_per_unit = static_cast<float>(1 / camera_.depth_units_per_metre);

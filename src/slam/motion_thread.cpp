@@ -9,17 +9,18 @@ namespace stdc {
 
 MotionThread::MotionThread(const Camera& camera, const MotionSettings& settings,
                            const PropagationSettings& propagation)
-    : motion_(camera, settings), propagator_(camera, propagation) {}
+    : motion_(make_motion_detector(camera, settings)), propagator_(camera, propagation) {}
 
 void MotionThread::begin(const RgbdImage& image, const cv::Mat& grey, int frame,
                          const std::optional<Pose>& frame_from_last) {
   worker_.wait();
   // Compared with the map after the caller has the pose and perhaps other uses for its buffer.
   depth_ = image.depth.empty() ? cv::Mat(grey.size(), CV_16UC1, cv::Scalar(0)) : image.depth.clone();
+  grey_ = image.colour.channels() == 1 ? grey.clone() : grey;  // else it is a copy already
   frame_ = frame;
-  worker_.start([this, grey, frame_from_last] {
+  worker_.start([this, frame_from_last] {
     Stopwatch watch;
-    propagator_.add_frame(frame_, grey, depth_, frame_from_last);
+    propagator_.add_frame(frame_, grey_, depth_, frame_from_last);
     expected_ = propagator_.has_mask() ? propagator_.mask() : cv::Mat();
     carrying_ms_ = watch.lap_ms();
   });
@@ -32,20 +33,21 @@ cv::Mat MotionThread::expected() {
 
 std::optional<double> MotionThread::agreement(const Pose& cam_from_world, MapId map,
                                               const AtlasSnapshot& snapshot) {
-  motion_.follow(snapshot);
-  return motion_.agreement(cam_from_world, map, depth_, expected_);
+  motion_->follow(snapshot);
+  return motion_->agreement(cam_from_world, map, depth_, expected_);
 }
 
 void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
   worker_.wait();
-  motion_.follow(snapshot);
+  motion_->follow(snapshot);
   frame.number = frame_;
+  frame.grey = grey_;
   frame.depth = depth_;
   worker_.start([this, frame = std::move(frame)] {
     Stopwatch watch;
-    const std::vector<LandmarkId> gone = motion_.observe(frame, propagator_.newest(), propagator_.tiles());
+    const std::vector<LandmarkId> gone = motion_->observe(frame, propagator_.newest(), propagator_.tiles());
     gone_.insert(gone_.end(), gone.begin(), gone.end());
-    found_ = motion_.mask();
+    found_ = motion_->mask();
     propagator_.set_mask(frame_, found_);
     milliseconds_ = carrying_ms_ + watch.lap_ms();
   });

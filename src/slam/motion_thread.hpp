@@ -8,7 +8,7 @@
 
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
-#include "motion/map_motion.hpp"
+#include "motion/motion_detector.hpp"
 #include "segmentation/propagation/mask_propagator.hpp"
 #include "slam/worker.hpp"
 
@@ -28,7 +28,7 @@ class MotionThread {
   /// if nothing is known.
   cv::Mat expected();
   /// Starts to find what does move in it.
-  /// @param frame  without its depth and number, which are known
+  /// @param frame  without its images and number, which are known
   void observe(MotionFrame frame, const AtlasSnapshot& snapshot);
   /// What does, waiting for it; like expected().
   const cv::Mat& found();
@@ -42,9 +42,9 @@ class MotionThread {
   double milliseconds() const { return milliseconds_; }
 
  private:
-  MapMotion motion_;
+  std::unique_ptr<MotionDetector> motion_;
   MaskPropagator propagator_;
-  cv::Mat depth_;
+  cv::Mat grey_, depth_;
   cv::Mat expected_, found_;
   int frame_ = 0;
   std::vector<LandmarkId> gone_;

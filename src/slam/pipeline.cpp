@@ -183,6 +183,7 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
   observed.timestamp = frame.timestamp;
   observed.motion = frame.motion;
   observed.segmented = segmented_;
+  observed.is_keyframe = last_keyframe_frame_ == frame.index;
   observed.trusted = result.status == TrackingStatus::ok;
   if (has_pose(result.status)) {
     observed.missing = tracker_.missing();
