@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "core/camera_motion.hpp"
 #include "core/ids.hpp"
 #include "core/pose.hpp"
-#include "motion/motion_settings.hpp"
 #include "segmentation/propagation/mask_tiles.hpp"
 #include "segmentation/propagation/propagation_frame.hpp"
 
@@ -57,8 +55,5 @@ class MotionDetector {
   /// What moves in the frame observed last: CV_8UC1 of the camera's size, 255 = dynamic.
   virtual cv::Mat mask() const = 0;
 };
-
-/// The method of the settings; null for `off`.
-std::unique_ptr<MotionDetector> make_motion_detector(const Camera& camera, const MotionSettings& settings);
 
 }  // namespace stdc

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "motion/make_motion_detector.hpp"
 
 namespace stdc {
 

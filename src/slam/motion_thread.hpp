@@ -9,6 +9,7 @@
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
 #include "motion/motion_detector.hpp"
+#include "motion/motion_settings.hpp"
 #include "segmentation/propagation/mask_propagator.hpp"
 #include "slam/worker.hpp"
 

@@ -1,4 +1,4 @@
-#include "motion/motion_detector.hpp"
+#include "motion/make_motion_detector.hpp"
 
 #include "motion/map_motion.hpp"
 
