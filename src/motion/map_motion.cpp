@@ -61,9 +61,9 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     recent_.push_back(frame);
     if (recent_.size() > kLag) recent_.pop_front();
   } else {
+    // Once the camera is found again, what was believed may be long out of date.
     recent_.clear();
-    belief_.add_opinion(segmented, 2);
-    belief_.smooth(frame.grid);
+    belief_.reset();
   }
   last_ = std::move(frame);
   return gone;

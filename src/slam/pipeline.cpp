@@ -102,10 +102,12 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
     note_gone();
     result.motion.emplace();
     result.motion->milliseconds = motion_->milliseconds();
-    if (!moving.empty()) {
+    // A frame without a last one must be found again: with what was thought to move when it was lost, a mask
+    // that has gone wrong could keep it lost for good.
+    if (!moving.empty() && tracker_.has_last()) {
       result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
+      mask = mask.empty() ? moving : cv::Mat(mask | moving);
     }
-    if (!moving.empty()) mask = mask.empty() ? moving : cv::Mat(mask | moving);
   }
   result.milliseconds.mask_wait = watch.lap_ms();
   if (!mask.empty()) extractor_.reject(mask);
