@@ -86,12 +86,12 @@ Pose align(const std::vector<Pair>& pairs) {
   return *truth_from_estimate;
 }
 
-ErrorStatistics absolute_error(const std::vector<Pair>& pairs, const Pose& truth_from_estimate) {
+std::vector<double> absolute_errors(const std::vector<Pair>& pairs, const Pose& truth_from_estimate) {
   std::vector<double> errors;
   for (const Pair& pair : pairs) {
     errors.push_back((truth_from_estimate * pair.estimate.translation - pair.truth.translation).norm());
   }
-  return statistics(std::move(errors)).value();  // there are three pairs or more
+  return errors;
 }
 
 /// Relative errors over the given steps (from, to), Sturm et al., Eq. 2.
@@ -166,7 +166,11 @@ TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& est
   TrajectoryScores scores;
   scores.pairs = static_cast<int>(pairs.size());
   scores.truth_from_estimate = align(pairs);
-  scores.ate = absolute_error(pairs, scores.truth_from_estimate);
+  constexpr double kFarOff = 0.05;  // [m]
+  std::vector<double> distances = absolute_errors(pairs, scores.truth_from_estimate);
+  scores.off_by_5_cm = static_cast<int>(
+      std::count_if(distances.begin(), distances.end(), [](double error) { return error > kFarOff; }));
+  scores.ate = statistics(std::move(distances)).value();  // there are three pairs or more
   relative_error(pairs, frame_steps(pairs), scores.rpe_frame_translation, scores.rpe_frame_rotation);
   relative_error(pairs, second_steps(pairs), scores.rpe_second_translation, scores.rpe_second_rotation);
   for (const std::optional<ErrorStatistics>& errors :

@@ -16,6 +16,7 @@ struct TrajectoryScores {
   using Statistics = std::optional<ErrorStatistics>;
 
   int pairs = 0;                      ///< poses of the estimate that found a true one
+  int off_by_5_cm = 0;                ///< of which more than 5 cm from the truth after the alignment
   ErrorStatistics ate;                ///< absolute trajectory error after SE(3) alignment [m]
   Statistics rpe_frame_translation;   ///< relative error from pair to next pair [m]
   Statistics rpe_frame_rotation;      ///< the same [deg]

@@ -20,6 +20,8 @@ TrackingSettings tracking_settings(const Settings& settings) {
   return tracking;
 }
 
+constexpr double kOriginInformation = 1e12;  ///< a map's first camera is where it is by definition
+
 }  // namespace
 
 Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
@@ -258,6 +260,8 @@ bool Pipeline::shows_enough(const TrackedFrame& frame) const {
 bool Pipeline::initialise(TrackedFrame& frame) {
   if (settings_.system.localisation_only || back_end_.has_pending() || !shows_enough(frame)) return false;
   make_keyframe(frame, back_end_.atlas().next_map());
+  frame.information.setIdentity();
+  frame.information *= kOriginInformation;
   frame.matches = frame.inliers = static_cast<int>(std::count_if(
       frame.landmarks.begin(), frame.landmarks.end(), [](LandmarkId id) { return id.valid(); }));
   return true;

@@ -41,9 +41,9 @@ struct TrackingSettings {
                "Usual angular acceleration of the camera");
   STDC_SETTING(bool, moving_groups, true,
                "Leave out neighbouring matches that all disagree with the pose in the same way");
-  STDC_SETTING(double, covariance_scale, 2, "ratio", 0.1, 100,
+  STDC_SETTING(double, covariance_scale, 1.2, "ratio", 0.1, 100,
                "Of the sigmas that the matches of a frame alone would give");
-  STDC_SETTING(double, map_position_sigma, 0.002, "m", 0, 1, "What the map adds to a pose's uncertainty...");
+  STDC_SETTING(double, map_position_sigma, 0.001, "m", 0, 1, "What the map adds to a pose's uncertainty...");
   STDC_SETTING(double, map_rotation_sigma, 0.001, "rad", 0, 1, "...and to that of its rotation");
   STDC_SETTING(double, max_position_sigma, 0.03, "m", 0.001, 10,
                "A pose that is known no better is uncertain");

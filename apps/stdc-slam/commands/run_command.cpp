@@ -70,6 +70,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->needs(debug_images);
   command.add_option("--save-masks", options.save_masks,
                      "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
+  command.add_option("--true-masks", options.true_masks,
+                     "Folder of true masks, named like --masks, to score the masks of what moves against");
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");

@@ -170,6 +170,15 @@ std::vector<FramePose> RunRecord::tracked_poses() const {
   return poses;
 }
 
+std::vector<CovariantPose> RunRecord::covariant_poses(MapId map) const {
+  std::vector<CovariantPose> poses;
+  for (const TrackingResult& result : results_) {
+    if (result.status != TrackingStatus::ok || !result.covariance || result.map != map) continue;
+    poses.push_back({result.timestamp, *result.cam_from_world, *result.covariance});
+  }
+  return poses;
+}
+
 namespace {
 
 /// The lists of what the reports say.
@@ -207,6 +216,20 @@ nlohmann::ordered_json RunRecord::segmentation() const {
           {"refinement_ms", to_json(quantiles(lists.refinement))},
           {"mask_age_frames", to_json(quantiles(lists.ages))},
           {"dynamic_share", to_json(quantiles(lists.shares))}};
+}
+
+nlohmann::ordered_json RunRecord::motion() const {
+  std::vector<double> times, shares, agreements;
+  for (const TrackingResult& result : results_) {
+    if (!result.motion) continue;
+    times.push_back(result.motion->milliseconds);
+    shares.push_back(result.motion->dynamic_share);
+    if (result.motion->agreement) agreements.push_back(*result.motion->agreement);
+  }
+  if (times.empty()) return nullptr;
+  return {{"motion_ms", to_json(quantiles(times))},
+          {"moving_share", to_json(quantiles(shares))},
+          {"agreement", to_json(quantiles(agreements))}};
 }
 
 std::string RunRecord::segmentation_text() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/pose_consistency.hpp"
 #include "report/loop_record.hpp"
 #include "report/quantiles.hpp"
 #include "slam/slam.hpp"
@@ -42,10 +43,15 @@ class RunRecord {
   void add(const LoopReport& loop) { loops_.add(loop); }
   /// The poses that the frames had when they were tracked.
   std::vector<FramePose> tracked_poses() const;
+  /// The same of one map with their covariances.
+  std::vector<CovariantPose> covariant_poses(MapId map) const;
   /// The work of the semantic thread: quantiles of the times, of the masks' ages and of the dynamic share;
   /// null if there was none.
   nlohmann::ordered_json segmentation() const;
-  /// The same in lines for the terminal, with the lag of a run in real time; empty if there is neither.
+  /// The search for what moves: quantiles of its times, of the share of the view that moves and of the
+  /// agreement with the map; null if there was none.
+  nlohmann::ordered_json motion() const;
+  /// Segmentation in lines for the terminal, with the lag of a run in real time; empty if there is neither.
   std::string segmentation_text() const;
   double start_up_seconds() const { return start_up_seconds_; }
   double processing_seconds() const { return processing_seconds_; }

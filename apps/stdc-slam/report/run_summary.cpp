@@ -34,6 +34,15 @@ Json settings_to_json(const Settings& settings) {
   return all;
 }
 
+Json mask_scores_to_json(const MaskRunScore& masks) {
+  const MaskScores scores = score_mask(masks.counts);
+  return {{"frames", masks.frames},
+          {"iou", to_json(scores.iou)},
+          {"precision", to_json(scores.precision)},
+          {"recall", to_json(scores.recall)},
+          {"boundary_f", to_json(scores.boundary_f)}};
+}
+
 double coverage(const RunSummary& summary, const RunRecord& record) {
   return static_cast<double>(summary.poses) / std::max(1, record.counts().total());
 }
@@ -73,6 +82,7 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
       {"mapping", record.mapping()},
       {"loop_closing", record.loops().to_json()},
       {"segmentation", record.segmentation()},
+      {"motion", record.motion()},
   };
   if (!record.lags().empty()) json["realtime_lag_ms"] = to_json(quantiles(record.lags()));
   if (summary.truth) {
@@ -85,6 +95,14 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
                              {"repeated", summary.truth->repeated}}}};
   }
   if (summary.score.scores) json["scores"] = scores_to_json(*summary.score.scores);
+  if (summary.consistency) {
+    // Squared errors over the covariances, per degree of freedom: 1 is expected.
+    json["pose_consistency"] = {{"poses", summary.consistency->poses},
+                                {"position", summary.consistency->position},
+                                {"rotation", summary.consistency->rotation},
+                                {"beyond_95_percent", summary.consistency->beyond}};
+  }
+  if (summary.masks) json["mask_scores"] = mask_scores_to_json(*summary.masks);
   if (!summary.score.not_scored.empty()) json["not_scored"] = summary.score.not_scored;
   json["camera"] = camera_to_json(summary.camera);
   json["settings"] = settings_to_json(settings);
@@ -109,6 +127,12 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   if (summary.maps > 1) text += fmt::format("{} maps that were not joined\n", summary.maps);
   text += record.loops().text();
   text += record.segmentation_text();
+  if (summary.masks) {
+    const MaskScores masks = score_mask(summary.masks->counts);
+    text += fmt::format("masks of what moves against the true ones: IoU {}, precision {}, recall {} % ({} frames)\n",
+                        to_text(masks.iou, 1, 100), to_text(masks.precision, 1, 100),
+                        to_text(masks.recall, 1, 100), summary.masks->frames);
+  }
   text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
                       summary.usage.cpu_seconds, summary.usage.peak_memory_mb, record.start_up_seconds());
   if (summary.score.scores) text.append("\n").append(format_scores(*summary.score.scores));

@@ -3,8 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "evaluation/pose_consistency.hpp"
 #include "input/ground_truth.hpp"
 #include "report/run_record.hpp"
+#include "run/mask_scoring.hpp"
 #include "run/process_usage.hpp"
 #include "run/run_score.hpp"
 #include "slam/settings.hpp"
@@ -23,6 +25,8 @@ struct RunSummary {
   ProcessUsage usage;
   std::optional<GroundTruth> truth;  ///< for what was left out of it
   RunScore score;
+  std::optional<PoseConsistency> consistency;  ///< of the poses when they were tracked, and their covariances
+  std::optional<MaskRunScore> masks;           ///< against --true-masks
 };
 
 /// summary.json.

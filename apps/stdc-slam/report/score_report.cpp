@@ -36,13 +36,15 @@ std::string format_scores(const TrajectoryScores& scores) {
          row("RPE per frame, rotation", scores.rpe_frame_rotation, 1, "deg") +
          row("RPE per second, translation", scores.rpe_second_translation, kMillimetres, "mm") +
          row("RPE per second, rotation", scores.rpe_second_rotation, 1, "deg") +
-         fmt::format("{} pairs, coverage {} %\n", scores.pairs, to_text(scores.coverage, 1, 100));
+         fmt::format("{} pairs, {} of them off by more than 5 cm; coverage {} %\n", scores.pairs,
+                     scores.off_by_5_cm, to_text(scores.coverage, 1, 100));
 }
 
 nlohmann::ordered_json scores_to_json(const TrajectoryScores& scores) {
   const Eigen::Vector3d& t = scores.truth_from_estimate.translation;
   const Eigen::Quaterniond& q = scores.truth_from_estimate.rotation;
   return {{"pairs", scores.pairs},
+          {"off_by_5_cm", scores.off_by_5_cm},
           {"coverage", to_json(scores.coverage)},
           {"ate_m", statistics_to_json(scores.ate)},
           {"rpe_frame_translation_m", statistics_to_json(scores.rpe_frame_translation)},

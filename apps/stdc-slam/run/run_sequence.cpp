@@ -24,7 +24,8 @@
 namespace stdc::app {
 namespace {
 
-RunSummary summarise(const SequenceInput& input, const Slam& slam, const RunTrajectories& trajectories) {
+RunSummary summarise(const SequenceInput& input, const RunRecord& record, const Slam& slam,
+                     const RunTrajectories& trajectories) {
   RunSummary summary;
   summary.sequence = input.name;
   summary.camera = format_camera(input.camera);
@@ -39,6 +40,11 @@ RunSummary summarise(const SequenceInput& input, const Slam& slam, const RunTraj
   summary.truth = input.truth_file;
   summary.score = score_run(input, trajectories.frames);
   if (!summary.score.warning.empty()) fmt::print(stderr, "stdc-slam: {}\n", summary.score.warning);
+  if (summary.score.scores) {
+    summary.consistency = pose_consistency(apply_convention(*input.truth, summary.score.convention),
+                                           summary.score.scores->truth_from_estimate,
+                                           record.covariant_poses(trajectories.map));
+  }
   summary.usage = process_usage();
   return summary;
 }
@@ -93,7 +99,7 @@ bool run_sequence(const RunOptions& options) {
   check_not_assigned(options.localisation_only, "--localisation-only", options.settings,
                      "system.localisation_only");
   settings.system.report_keypoints = settings.system.report_keypoints || options.debug_images.has_value();
-  settings.system.report_masks = settings.system.report_masks || options.save_masks.has_value();
+  settings.system.report_masks = settings.system.report_masks || options.save_masks || options.true_masks;
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
@@ -106,16 +112,23 @@ bool run_sequence(const RunOptions& options) {
   if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
   std::optional<SavedMasks> masks;
   if (options.save_masks) masks.emplace(*options.save_masks);
+  std::optional<MaskScoring> mask_scoring;
+  if (options.true_masks) {
+    check_masks(*options.true_masks, input);
+    mask_scoring.emplace(*options.true_masks);
+  }
 
   RunRecord record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
   track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
-               {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr});
+               {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr,
+                mask_scoring ? &*mask_scoring : nullptr});
   const RunTrajectories trajectories =
       by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
              slam.keyframe_trajectory());
-  const RunSummary summary = summarise(input, slam, trajectories);
+  RunSummary summary = summarise(input, record, slam, trajectories);
+  if (mask_scoring) summary.masks = mask_scoring->score();
   if (pictures) {
     pictures->add_top_view(
         {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),

@@ -12,7 +12,7 @@ namespace stdc::app {
 /// What `stdc-slam run` was asked to do.
 struct RunOptions {
   std::filesystem::path sequence, output;
-  std::optional<std::filesystem::path> camera, debug_images, save_masks;
+  std::optional<std::filesystem::path> camera, debug_images, save_masks, true_masks;
   std::optional<std::filesystem::path> load_map, save_map;
   SettingsOptions settings;
   SegmentationOptions segmentation;

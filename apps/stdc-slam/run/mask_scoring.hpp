@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "evaluation/mask_score.hpp"
+#include "segmentation/mask_list.hpp"
+#include "slam/tracking_result.hpp"
+
+namespace stdc::app {
+
+/// Scores of all masks of a run, pixel by pixel.
+struct MaskRunScore {
+  int frames = 0;  ///< that have a mask and a true one
+  MaskCounts counts;
+};
+
+/// The masks of --true-masks: compares the mask of what moves of each frame with the true one of its time.
+class MaskScoring {
+ public:
+  /// Throws Error if the folder holds no masks.
+  explicit MaskScoring(const std::filesystem::path& folder) : truth_(list_masks(folder)) {}
+
+  /// `result` must have its mask. Throws Error for a true mask that cannot be read or has another size.
+  void add_frame(const TrackingResult& result);
+  const MaskRunScore& score() const { return score_; }
+
+ private:
+  std::vector<MaskFile> truth_;
+  MaskRunScore score_;
+};
+
+}  // namespace stdc::app
