@@ -1,10 +1,17 @@
 #include "features/mask.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
 namespace stdc {
+
+bool is_set_at(const cv::Mat& mask, float x, float y) {
+  const int column = std::clamp(static_cast<int>(std::lround(x)), 0, mask.cols - 1);
+  const int row = std::clamp(static_cast<int>(std::lround(y)), 0, mask.rows - 1);
+  return mask.at<std::uint8_t>(row, column) != 0;
+}
 namespace {
 
 using Words = std::vector<std::uint64_t>;

@@ -6,6 +6,9 @@
 
 namespace stdc {
 
+/// Whether a mask (CV_8UC1) is not zero at the pixel nearest to a point; outside: at the edge.
+bool is_set_at(const cv::Mat& mask, float x, float y);
+
 /// Tells whether a dynamic pixel is near a point; fast for many points and few radii.
 class DynamicArea {
  public:

@@ -43,6 +43,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   } else {
     belief_.reset();
   }
+  doubtful_.assign(frame.grid.depth.size(), 0);
   std::vector<std::uint8_t> segmented(frame.grid.depth.size(), 0);
   if (!input.segmented.empty()) segmented = shrink_mask(input.segmented);
   if (input.cam_from_world) {
@@ -53,6 +54,9 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     belief_.add_opinion(cells_of(input.moving), 2);
     belief_.add_opinion(segmented, 2);
     belief_.smooth(frame.grid);
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      doubtful_[i] = belief_.moves(i) || (findings[i].fresh > 0 && findings[i].known == 0) ? 1 : 0;
+    }
     if (input.trusted) {
       scene_.learn(frame);
       remember(frame, findings, segmented);
@@ -132,8 +136,8 @@ void MapMotion::remember(const SceneFrame& frame, const std::vector<CellFinding>
 
 /// Where the tiles of what moved in the last frame have gone, as the cell that each cell now would have come
 /// from.
-std::vector<int> MapMotion::sources(const std::vector<MaskTile>& tiles) const {
-  std::vector<int> source(static_cast<std::size_t>(geometry_.size()), -1);
+std::vector<CellSource> MapMotion::sources(const std::vector<MaskTile>& tiles) const {
+  std::vector<CellSource> source(static_cast<std::size_t>(geometry_.size()));
   if (tiles.empty()) return source;
   SmallFrame small;
   small.scale = geometry_.scale();
@@ -148,7 +152,8 @@ std::vector<int> MapMotion::sources(const std::vector<MaskTile>& tiles) const {
       const int u = x - static_cast<int>(std::lround(tile->shift.x()));
       const int v = y - static_cast<int>(std::lround(tile->shift.y()));
       if (u < 0 || v < 0 || u >= geometry_.width() || v >= geometry_.height()) continue;
-      source[static_cast<std::size_t>(cell)] = cells[static_cast<std::size_t>(v * geometry_.width() + u)];
+      source[static_cast<std::size_t>(cell)] = {cells[static_cast<std::size_t>(v * geometry_.width() + u)],
+                                                tile->shift, tile->measured};
     }
   }
   return source;
@@ -202,17 +207,30 @@ cv::Mat MapMotion::moving_cells() const {
 
 cv::Mat MapMotion::mask() const {
   const cv::Mat moving = moving_cells();
+  const cv::Mat mask = in_pixels(moving);
+  if (depth_.empty() || cv::countNonZero(moving) == 0) return mask;
+  return settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
+}
+
+cv::Mat MapMotion::doubtful() const {
+  cv::Mat cells = moving_cells();
+  for (std::size_t i = 0; i < doubtful_.size(); ++i) {
+    if (doubtful_[i] != 0) cells.data[i] = 255;
+  }
+  return in_pixels(cells);
+}
+
+cv::Mat MapMotion::in_pixels(const cv::Mat& cells) const {
   cv::Mat mask(camera_.height, camera_.width, CV_8UC1, cv::Scalar(0));
-  if (cv::countNonZero(moving) == 0) return mask;
-  const std::vector<int>& cells = geometry_.cell_of_square();
+  const std::vector<int>& cell_of = geometry_.cell_of_square();
   const int scale = geometry_.scale();
   for (int y = 0; y < geometry_.height(); ++y) {
     for (int x = 0; x < geometry_.width(); ++x) {
-      const int cell = cells[static_cast<std::size_t>(y * geometry_.width() + x)];
-      if (cell >= 0 && moving.data[cell] != 0) mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
+      const int cell = cell_of[static_cast<std::size_t>(y * geometry_.width() + x)];
+      if (cell >= 0 && cells.data[cell] != 0) mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
     }
   }
-  return depth_.empty() ? mask : settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
+  return mask;
 }
 
 }  // namespace stdc

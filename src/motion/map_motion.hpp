@@ -24,14 +24,16 @@ class MapMotion : public MotionDetector {
   std::optional<double> agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
                                   const cv::Mat& expected) const override;
   cv::Mat mask() const override;
+  cv::Mat doubtful() const override;
 
-  const MotionBelief& belief() const { return belief_; }
+  const StaticScene& scene() const { return scene_; }
 
  private:
-  std::vector<int> sources(const std::vector<MaskTile>& tiles) const;
+  std::vector<CellSource> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> cells_of(const std::vector<Eigen::Vector2f>& pixels) const;
   std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
   cv::Mat moving_cells() const;
+  cv::Mat in_pixels(const cv::Mat& cells) const;
   std::vector<LandmarkId> find_gone(const SceneFrame& frame,
                                     const std::vector<MissingLandmark>& missing) const;
   void remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
@@ -45,6 +47,7 @@ class MapMotion : public MotionDetector {
   static constexpr std::size_t kLag = 5;  ///< [frames] between those compared for what recedes
   std::optional<SceneFrame> last_;
   std::deque<SceneFrame> recent_;
+  std::vector<std::uint8_t> doubtful_;  ///< cells of the last frame that may move
   cv::Mat depth_;
 };
 

@@ -14,7 +14,7 @@ constexpr float kMax = 4;  ///< log-odds; a surface that changes its mind must n
 void MotionBelief::reset() { log_odds_.clear(); }
 
 void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose& last_from_now,
-                         const std::vector<int>& source) {
+                         const std::vector<CellSource>& sources) {
   constexpr float kFade = 0.95F, kSameSurface = 0.05F, kSameSurfaceGrowth = 0.01F;
   const std::vector<float> before = std::move(log_odds_);
   log_odds_.assign(now.depth.size(), kUnseen);
@@ -30,11 +30,12 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
       const Eigen::Vector3f point =
           rotation * (assumed * Eigen::Vector3f(geometry_.ray_x(x), geometry_.ray_y(y), 1)) + translation;
       float belief = kUnseen;
+      Eigen::Vector2f at_rest = Eigen::Vector2f::Zero();  // shift of a thing at rest
       if (point.z() > 0.1F) {
-        const int u =
-            static_cast<int>(std::lround(geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x()));
-        const int v =
-            static_cast<int>(std::lround(geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y()));
+        const float from_x = geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x();
+        const float from_y = geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y();
+        at_rest = Eigen::Vector2f(static_cast<float>(x) - from_x, static_cast<float>(y) - from_y);
+        const int u = static_cast<int>(std::lround(from_x)), v = static_cast<int>(std::lround(from_y));
         if (u >= 0 && v >= 0 && u < width && v < height) {
           const auto from = static_cast<std::size_t>(v * width + u);
           const float known = last.depth[from];
@@ -45,13 +46,20 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
           if (depth != 0 && known != 0 && !same) belief = kUnseen;
         }
       }
-      if (source[cell] >= 0) {
-        const auto from = static_cast<std::size_t>(source[cell]);
+      const CellSource& source = sources[cell];
+      float evidence = 0;
+      if (source.cell >= 0) {
+        const auto from = static_cast<std::size_t>(source.cell);
         const float known = last.depth[from];
         const bool fits = depth == 0 || known == 0 || std::abs(known - depth) < 0.2F;
-        if (fits) belief = std::max(belief, before[from]);
+        if (fits && before[from] >= belief) {
+          belief = before[from];
+          const float apart = (source.shift - at_rest).norm();
+          const bool moved = depth > 0 && source.measured && apart > 0.5F + 0.15F * at_rest.norm();
+          evidence = moved ? static_cast<float>(settings_.evidence) : 0;
+        }
       }
-      log_odds_[cell] = kFade * belief;
+      log_odds_[cell] = kFade * belief + evidence;
     }
   }
 }

@@ -9,6 +9,13 @@
 
 namespace stdc {
 
+/// Where what a cell shows would have been in the last frame if it moved.
+struct CellSource {
+  int cell = -1;  ///< -1: nothing that moves is expected there
+  Eigen::Vector2f shift = Eigen::Vector2f::Zero();  ///< to where it is now [cells]
+  bool measured = false;                            ///< by points that were followed
+};
+
 /// For each cell of a frame how likely it is that what it shows moves: log-odds, above 0 rather than not. A
 /// Bayesian filter: carried from frame to frame with the surfaces, each finding adds to it, and cells on the
 /// same surface share what they know (diffusion that stops at depth edges: Perona and Malik, PAMI 1990).
@@ -20,10 +27,10 @@ class MotionBelief {
   /// Carries the belief to the next frame: a cell takes over from the cell that saw its surface before.
   /// @param last, now      the two grids
   /// @param last_from_now  motion of the camera
-  /// @param source         of each cell: where a thing that moves would have come from, a cell of `last`; -1:
-  ///                       nothing moves there
+  /// @param sources        of each cell
+  /// What was followed and has not moved like a thing at rest before this camera is more likely to move.
   void carry(const DepthGrid& last, const DepthGrid& now, const Pose& last_from_now,
-             const std::vector<int>& source);
+             const std::vector<CellSource>& sources);
   /// Adds what was found about each cell.
   void add(const std::vector<CellFinding>& findings);
   /// Adds the opinion of a segmenter: `dynamic` of each cell 0 or not, `weight` log-odds.

@@ -54,6 +54,9 @@ class MotionDetector {
                                           const cv::Mat& expected) const = 0;
   /// What moves in the frame observed last: CV_8UC1 of the camera's size, 255 = dynamic.
   virtual cv::Mat mask() const = 0;
+  /// The same and all that may move, of which no landmarks are to be made: on what has just come into view
+  /// it takes some frames to be sure.
+  virtual cv::Mat doubtful() const { return mask(); }
 };
 
 }  // namespace stdc

@@ -50,6 +50,8 @@ class BackEnd {
   /// The atlas as it was last collected, with the keyframes inserted since; at any time.
   const AtlasSnapshot& snapshot() const { return snapshot_; }
 
+  /// Takes the snapshot anew, for what the tracking thread has changed; only while idle.
+  void refresh_snapshot() { snapshot_ = AtlasSnapshot(atlas()); }
   /// An atlas from a file, before the first frame. Its places are learnt until then.
   void set_atlas(Atlas atlas);
   /// Notes a keyframe and its landmarks, those from `first_landmark` on, that were just put into the atlas,

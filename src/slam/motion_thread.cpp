@@ -54,6 +54,11 @@ void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
   });
 }
 
+cv::Mat MotionThread::doubtful() {
+  worker_.wait();
+  return motion_->doubtful();
+}
+
 const cv::Mat& MotionThread::found() {
   worker_.wait();
   return found_;

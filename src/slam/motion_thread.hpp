@@ -33,6 +33,8 @@ class MotionThread {
   void observe(MotionFrame frame, const AtlasSnapshot& snapshot);
   /// What does, waiting for it; like expected().
   const cv::Mat& found();
+  /// The same and all that may move, of which no landmarks are to be made.
+  cv::Mat doubtful();
   /// Share of what is known of the static scene that a pose of the present frame explains; see MotionReport.
   /// After expected(), before observe().
   std::optional<double> agreement(const Pose& cam_from_world, MapId map, const AtlasSnapshot& snapshot);

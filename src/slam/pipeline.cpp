@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "atlas/map_file.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "features/mask.hpp"
 #include "slam/image_check.hpp"
 #include "tracking/keyframe_policy.hpp"
 
@@ -20,6 +22,7 @@ TrackingSettings tracking_settings(const Settings& settings) {
   return tracking;
 }
 
+constexpr int kMaxUnsupported = 5;  ///< frames that may be tracked in a row without landmarks
 constexpr double kOriginInformation = 1e12;  ///< a map's first camera is where it is by definition
 
 }  // namespace
@@ -102,6 +105,7 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
   if (motion_) {
     const cv::Mat moving = motion_->expected();
     note_gone();
+    tracker_.forget_dynamic(motion_->found());
     result.motion.emplace();
     result.motion->milliseconds = motion_->milliseconds();
     // A frame without a last one must be found again: with what was thought to move when it was lost, a mask
@@ -172,7 +176,15 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   if (starts_map) return;
   const Matrix6d covariance = frame.covariance(settings_.tracking);
   const double sigma = std::sqrt(covariance.diagonal().head<3>().maxCoeff());
-  if (sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
+  const bool few = frame.inliers < settings_.tracking.min_inliers;  // temporary points kept it in track
+  unsupported_frames_ = few ? unsupported_frames_ + 1 : 0;
+  if (unsupported_frames_ > kMaxUnsupported) {
+    tracker_.clear_last();
+    result.status = TrackingStatus::lost;
+    unsupported_frames_ = 0;
+    return;
+  }
+  if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
   if (!motion_) return;
   const Pose cam_from_world = back_end_.snapshot().cam_from_world(
       local_map_.reference, frame.cam_from_world * local_map_.reference_from_world.inverse());
@@ -222,18 +234,17 @@ void Pipeline::note_gone() {
     if (!atlas.has(vote.first)) return true;
     if (vote.second < kVotes) return false;
     atlas.remove(vote.first);
+    landmarks_removed_ = true;
     return true;
   });
 }
 
 /// Nothing that moves may enter the map.
 void Pipeline::mark_dynamic(TrackedFrame& frame) {
-  const cv::Mat& mask = motion_->found();
+  const cv::Mat mask = motion_->doubtful();
   for (int i = 0; i < frame.features->size(); ++i) {
     const Keypoint& keypoint = frame.features->keypoint(i);
-    const int x = std::clamp(static_cast<int>(std::lround(keypoint.x)), 0, mask.cols - 1);
-    const int y = std::clamp(static_cast<int>(std::lround(keypoint.y)), 0, mask.rows - 1);
-    if (mask.at<std::uint8_t>(y, x) == 0) continue;
+    if (!is_set_at(mask, keypoint.x, keypoint.y)) continue;
     frame.dynamic[i] = 1;
     frame.landmarks[i] = {};
   }
@@ -319,6 +330,7 @@ std::vector<LoopReport> Pipeline::finish() {
     if (update.loop) loops.push_back(*update.loop);
     back_end_.start_pending(frame);
   }
+  if (std::exchange(landmarks_removed_, false)) back_end_.refresh_snapshot();
   return loops;
 }
 

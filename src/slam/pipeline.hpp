@@ -80,6 +80,8 @@ class Pipeline {
   Relocaliser relocaliser_;
   LocalMap local_map_;
   cv::Mat segmented_;  ///< the present frame's mask of the segmenter; empty: none
+  int unsupported_frames_ = 0;  ///< tracked in a row by temporary points alone
+  bool landmarks_removed_ = false;  ///< since the snapshot was made
   std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark
   int observed_frame_ = -1;  ///< the last one whose motion was looked for
   int next_frame_ = 0;

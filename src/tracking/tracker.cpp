@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/stopwatch.hpp"
+#include "features/mask.hpp"
 #include "tracking/moving_groups.hpp"
 
 namespace stdc {
@@ -182,6 +183,16 @@ void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Po
   last_->pyramid.reset();
   last_reference_ = reference;
   last_from_reference_ = frame.cam_from_world * reference_from_world.inverse();
+}
+
+void Tracker::forget_dynamic(const cv::Mat& mask) {
+  if (!last_ || mask.empty()) return;
+  for (int i = 0; i < last_->features->size(); ++i) {
+    const Keypoint& keypoint = last_->features->keypoint(i);
+    if (!is_set_at(mask, keypoint.x, keypoint.y)) continue;
+    last_->landmarks[i] = {};
+    last_->outlier[i] = 1;
+  }
 }
 
 void Tracker::clear_last() { last_.reset(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,8 @@ class Tracker {
   void remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world);
   /// After a loss: there is no last frame.
   void clear_last();
+  /// Nothing that moves in the last frame is to be followed. `mask`: raw pixels, CV_8UC1, not 0 = dynamic.
+  void forget_dynamic(const cv::Mat& mask);
   bool has_last() const { return last_.has_value(); }
   const TrackedFrame& last() const { return *last_; }
   /// How the camera has moved since the last frame if it kept its velocity, frame_from_last; nothing after a

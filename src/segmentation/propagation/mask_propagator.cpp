@@ -81,7 +81,8 @@ void MaskPropagator::carry(MaskTile& tile, const Step& to) const {
   constexpr float kSameSurface = 0.2F;  // [m]
   MotionField::Motion motion;
   const Vector2f middle = tile.middle();
-  if (!to.motion.at(middle, tile.depth, motion) && to.frame_from_last && tile.depth != 0) {
+  tile.measured = to.motion.at(middle, tile.depth, motion);
+  if (!tile.measured && to.frame_from_last && tile.depth != 0) {
     // Nothing to follow there: as if it stood still before the moving camera.
     const double scale = to.frame.scale, half = 0.5 * (scale - 1);
     const Vector2d raw = middle.cast<double>() * scale + Vector2d::Constant(half);

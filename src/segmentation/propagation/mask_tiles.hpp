@@ -17,6 +17,7 @@ struct MaskTile {
   Eigen::Vector2f shift = Eigen::Vector2f::Zero();     ///< to where it is now [cells]
   Eigen::Vector2f velocity = Eigen::Vector2f::Zero();  ///< [cells per frame]
   float depth = kUnknown;                              ///< expected [m]
+  bool measured = false;  ///< the last step followed points on it; else it was taken to stand still
 
   /// Its middle now [cells].
   Eigen::Vector2f middle() const {
