@@ -18,6 +18,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
   constexpr float kFade = 0.95F, kSameSurface = 0.05F, kSameSurfaceGrowth = 0.01F;
   const std::vector<float> before = std::move(log_odds_);
   log_odds_.assign(now.depth.size(), kUnseen);
+  unknown_.assign(now.depth.size(), 1);
   if (before.size() != log_odds_.size()) return;
   const Eigen::Matrix3f rotation = last_from_now.rotation_matrix().cast<float>();
   const Eigen::Vector3f translation = last_from_now.translation.cast<float>();
@@ -43,6 +44,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
           const bool same = depth != 0 && known != 0 && std::abs(known - point.z()) < tolerated;
           // A hole, often in the shadow of what moves, tells nothing about what is seen in it afterwards.
           belief = same ? before[from] : std::min(before[from], 0.0F);
+          if (same) unknown_[cell] = 0;
           if (depth != 0 && known != 0 && !same) belief = kUnseen;
         }
       }
@@ -54,6 +56,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
         const bool fits = depth == 0 || known == 0 || std::abs(known - depth) < 0.2F;
         if (fits && before[from] >= belief) {
           belief = before[from];
+          unknown_[cell] = 0;
           const float apart = (source.shift - at_rest).norm();
           const bool moved = depth > 0 && source.measured && apart > 0.5F + 0.15F * at_rest.norm();
           evidence = moved ? static_cast<float>(settings_.evidence) : 0;
@@ -72,6 +75,7 @@ void MotionBelief::add(const std::vector<CellFinding>& findings) {
   for (std::size_t i = 0; i < findings.size(); ++i) {
     const CellFinding& finding = findings[i];
     const int views = finding.fresh + finding.known;
+    if (views > 0 && i < unknown_.size()) unknown_[i] = 0;
     if (finding.recedes) log_odds_[i] += weight;
     if (finding.seen && finding.rest >= rest_time) {
       log_odds_[i] -= finding.fresh > finding.known ? 0.5F * weight : weight;
@@ -91,7 +95,44 @@ void MotionBelief::add_opinion(const std::vector<std::uint8_t>& dynamic, float w
   }
 }
 
+/// What comes into view at the edge of the image, or from behind something, is taken for what the rest of its
+/// surface is: else the part of a large thing that has just entered would pass for new background.
+void MotionBelief::fill_unknown(const DepthGrid& now) {
+  constexpr float kLink = 0.02F, kLinkGrowth = 0.02F, kMinLinks = 0.3F;
+  const int width = geometry_.width(), height = geometry_.height();
+  if (unknown_.size() != log_odds_.size()) return;
+  const auto fill = [&](int x, int y, std::initializer_list<int> offsets) {
+    const int cell = y * width + x;
+    const auto i = static_cast<std::size_t>(cell);
+    const float depth = now.depth[i];
+    if (unknown_[i] == 0 || depth == 0) return;
+    const float reach = 1 / (kLink + kLinkGrowth * depth);
+    float sum = 0, links = 0;
+    for (const int offset : offsets) {
+      const auto other = static_cast<std::size_t>(cell + offset);
+      if (unknown_[other] == 1 || now.depth[other] == 0) continue;
+      const float link = std::max(0.0F, 1 - std::abs(now.depth[other] - depth) * reach);
+      sum += link * log_odds_[other];
+      links += link;
+    }
+    if (links < kMinLinks) return;
+    log_odds_[i] = 0.95F * sum / links;
+    unknown_[i] = 2;  // taken over
+  };
+  for (int round = 0; round < 2; ++round) {
+    for (int y = 1; y + 1 < height; ++y) {
+      for (int x = 1; x + 1 < width; ++x) fill(x, y, {-1, -width - 1, -width, -width + 1});
+      for (int x = width - 2; x > 0; --x) fill(x, y, {1, -width - 1, -width, -width + 1});
+    }
+    for (int y = height - 2; y > 0; --y) {
+      for (int x = 1; x + 1 < width; ++x) fill(x, y, {-1, width - 1, width, width + 1});
+      for (int x = width - 2; x > 0; --x) fill(x, y, {1, width - 1, width, width + 1});
+    }
+  }
+}
+
 void MotionBelief::smooth(const DepthGrid& now) {
+  fill_unknown(now);
   constexpr int kRounds = 4;
   constexpr float kLink = 0.02F, kLinkGrowth = 0.02F;
   const int width = geometry_.width(), height = geometry_.height();

@@ -48,9 +48,12 @@ class MotionBelief {
   static constexpr float kSure = 1.5F, kWeak = 0.3F;
 
  private:
+  void fill_unknown(const DepthGrid& now);
+
   const GridGeometry& geometry_;
   MotionSettings settings_;
   std::vector<float> log_odds_;
+  std::vector<std::uint8_t> unknown_;  ///< of each cell: 1 if nothing at all is known of its surface
 };
 
 }  // namespace stdc

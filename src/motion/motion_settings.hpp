@@ -33,7 +33,7 @@ struct MotionSettings {
   STDC_SETTING(int, min_cells, 30, "count", 1, 1000, "map: smaller patches (of about 4 x 4 px each) do not count");
   STDC_SETTING(double, rest_time, 4, "s", 0.1, 600,
                "map: a thing that appeared belongs to the static scene after resting for so long");
-  STDC_SETTING(double, min_agreement, 0.5, "ratio", 0, 1,
+  STDC_SETTING(double, min_agreement, 0.65, "ratio", 0, 1,
                "map: a pose that explains less of the known static scene is uncertain");
   STDC_SETTING(int, views, 6, "count", 1, 32, "map: earlier views that a frame is compared with");
   STDC_SETTING(int, max_views, 128, "count", 4, 4096, "map: earlier views kept");

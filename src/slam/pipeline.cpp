@@ -111,7 +111,9 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
     // A frame without a last one must be found again: with what was thought to move when it was lost, a mask
     // that has gone wrong could keep it lost for good.
     if (!moving.empty() && tracker_.has_last()) {
+      constexpr double kCovered = 0.5;
       result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
+      covered_ = result.motion->dynamic_share > kCovered;
       mask = mask.empty() ? moving : cv::Mat(mask | moving);
     }
   }
@@ -281,7 +283,10 @@ bool Pipeline::initialise(TrackedFrame& frame) {
 /// Lost for good: so many frames with enough to see showed no known place.
 bool Pipeline::start_over(TrackedFrame& frame) {
   if (!shows_enough(frame)) return false;
-  if (++unknown_frames_ <= settings_.tracking.new_map_after) return false;
+  // What covered most of the view when the camera was lost may still do so: a map must not begin on it.
+  constexpr int kPatience = 5;
+  const int wait = settings_.tracking.new_map_after * (covered_ ? kPatience : 1);
+  if (++unknown_frames_ <= wait) return false;
   frame = TrackedFrame(camera(), frame.index, frame.timestamp, frame.features, frame.pyramid);
   return initialise(frame);
 }

@@ -80,6 +80,7 @@ class Pipeline {
   Relocaliser relocaliser_;
   LocalMap local_map_;
   cv::Mat segmented_;  ///< the present frame's mask of the segmenter; empty: none
+  bool covered_ = false;         ///< most of the view moved when it was last tracked
   int unsupported_frames_ = 0;  ///< tracked in a row by temporary points alone
   bool landmarks_removed_ = false;  ///< since the snapshot was made
   std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark
