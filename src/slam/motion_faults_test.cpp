@@ -78,7 +78,7 @@ TEST(MotionFaults, WithoutTheSearchForMotionTheBoardDeceives) {
 }
 
 TEST(MotionFaults, FirstFramesFullOfMovers) {
-  const Board left(90, 200, 1.0, 6), right(90, 200, 1.1, 7);
+  const Board left(36, 130, 1.0, 6), right(36, 130, 1.1, 7);  // an eighth of the view
   Walk walk(without_segmentation());
   for (int i = 0; i < 60; ++i) {
     walk.see(i, [&](RgbdImage& image) {
@@ -116,11 +116,11 @@ TEST(MotionFaults, TheCameraMovesWithTheMover) {
 }
 
 TEST(MotionFaults, OneKeyframeAndThenABoard) {
-  const Board board(200, 240, 0.9, 10);
+  const Board board(48, 240, 0.9, 10);  // a seventh of the view
   Walk walk(without_segmentation());
   walk.go(0, 0);
   for (int i = 0; i < 40; ++i) {
-    walk.see(1 + i, [&](RgbdImage& image) { board.paste(image, -200 + 14 * i, 0); });
+    walk.see(1 + i, [&](RgbdImage& image) { board.paste(image, -48 + 9 * i, 0); });
   }
   walk.go(41, 80);
   EXPECT_LT(walk.worst_error({0}, 0), 0.05);

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace stdc::test {
 
@@ -22,12 +20,6 @@ TrackingResult Walk::see(int place, const Change& change) {
   EXPECT_EQ(has_pose(result.status), result.map.valid());
   if (result.status == TrackingStatus::ok) places.push_back(place);
   results.push_back(result);
-  if (std::getenv("WALK")) {
-    const auto& t = TestSequence::of_a_room().frames;
-    const Pose e = t[places.empty()?0:places.front()].world_from_cam.inverse() * frame.world_from_cam;
-    double err = result.cam_from_world ? (result.cam_from_world->inverse().translation - e.translation).norm() : -1;
-    std::fprintf(stderr, "%d st %d in %d/%d mv %.2f agr %.2f sig %.0f err %.0f kf %d map %d\n", result.frame, (int)result.status, result.inliers, result.matches, result.motion ? result.motion->dynamic_share : -1, result.motion && result.motion->agreement ? *result.motion->agreement : -1, result.covariance ? 1000*std::sqrt(result.covariance->diagonal().head<3>().maxCoeff()) : -1.0, 1000*err, result.is_keyframe, (int)result.map.value);
-  }
   return result;
 }
 
