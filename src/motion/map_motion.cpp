@@ -90,8 +90,9 @@ std::vector<LandmarkId> MapMotion::find_gone(const SceneFrame& frame,
   return gone;
 }
 
-std::optional<double> MapMotion::agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
-                                           const cv::Mat& expected) const {
+std::optional<PoseAgreement> MapMotion::agreement(const Pose& cam_from_world, MapId map,
+                                                  const SmallFrame& small, const cv::Mat& depth,
+                                                  const cv::Mat& expected) const {
   constexpr int kStep = 5, kMinKnown = 40;
   std::vector<StaticScene::Sample> samples;
   const auto metres_per_unit = static_cast<float>(1 / camera_.depth_units_per_metre);
@@ -103,12 +104,17 @@ std::optional<double> MapMotion::agreement(const Pose& cam_from_world, MapId map
       if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) continue;
       if (!expected.empty() && expected.at<std::uint8_t>(v, u) != 0) continue;
       const float metres = metres_at(depth, u, v, metres_per_unit);
-      if (metres > 0) samples.push_back({x, y, metres});
+      const int column = std::min(u / small.scale, small.width() - 1);
+      const int row = std::min(v / small.scale, small.height() - 1);
+      if (metres > 0) samples.push_back({x, y, metres, small.levels[0].row(row)[column]});
     }
   }
   const StaticScene::Agreement found = scene_.agreement(samples, cam_from_world, map);
   if (found.known + found.fresh < kMinKnown) return std::nullopt;
-  return static_cast<double>(found.known) / (found.known + found.fresh);
+  PoseAgreement agreement;
+  agreement.depth = static_cast<double>(found.known) / (found.known + found.fresh);
+  agreement.looks = found.looks;
+  return agreement;
 }
 
 /// A view is worth its memory if it shows what no other has, or if the others are old.

@@ -21,8 +21,8 @@ class MapMotion : public MotionDetector {
   void follow(const AtlasSnapshot& snapshot) override { scene_.follow(snapshot); }
   std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
                                   const std::vector<MaskTile>& tiles) override;
-  std::optional<double> agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
-                                  const cv::Mat& expected) const override;
+  std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map, const SmallFrame& small,
+                                         const cv::Mat& depth, const cv::Mat& expected) const override;
   cv::Mat mask() const override;
   cv::Mat doubtful() const override;
 

@@ -123,13 +123,21 @@ TEST(MapMotion, APoseThatIsFarOffDoesNotAgree) {
   for (int i = 0; i < 10; ++i) f.run.see();
   cv::Mat grey, depth;
   f.run.scene.draw({0, 0, 0}, grey, depth);
-  const auto right = f.motion.agreement(Pose(), {0}, depth, {});
+  SmallFrame small;
+  shrink_frame(grey, depth, f.run.scene.camera.depth_units_per_metre, small);
+  const auto right = f.motion.agreement(Pose(), {0}, small, depth, {});
   ASSERT_TRUE(right);
-  EXPECT_GT(*right, 0.97);
-  const auto wrong = f.motion.agreement(Pose(Eigen::Quaterniond::Identity(), {0, 0, -0.6}), {0}, depth, {});
+  EXPECT_GT(right->depth, 0.97);
+  EXPECT_GT(right->looks, 0.95);
+  const Pose nearer(Eigen::Quaterniond::Identity(), {0, 0, -0.6});
+  const auto wrong = f.motion.agreement(nearer, {0}, small, depth, {});
   ASSERT_TRUE(wrong);
-  EXPECT_LT(*wrong, 0.3) << "sixty centimetres nearer to the wall";
-  EXPECT_FALSE(f.motion.agreement(Pose(), {1}, depth, {})) << "another map";
+  EXPECT_LT(wrong->depth, 0.3) << "sixty centimetres nearer to the wall";
+  const Pose beside(Eigen::Quaterniond::Identity(), {0.2, 0, 0});
+  const auto sideways = f.motion.agreement(beside, {0}, small, depth, {});
+  ASSERT_TRUE(sideways);
+  EXPECT_LT(sideways->looks, 0.8) << "along the wall depth tells little, but it looks otherwise";
+  EXPECT_FALSE(f.motion.agreement(Pose(), {1}, small, depth, {})) << "another map";
 }
 
 TEST(MapMotion, TellsWhichLandmarksHaveGone) {
@@ -169,7 +177,7 @@ TEST(MapMotion, LivesWithoutDepth) {
   shrink_frame(frame.grey, frame.depth, f.run.scene.camera.depth_units_per_metre, small);
   f.motion.observe(frame, small, {});
   EXPECT_EQ(cv::countNonZero(f.motion.mask()), 0);
-  EXPECT_FALSE(f.motion.agreement(Pose(), {0}, frame.depth, {}));
+  EXPECT_FALSE(f.motion.agreement(Pose(), {0}, small, frame.depth, {}));
 }
 
 TEST(MapMotion, KeepsABoundedNumberOfViews) {

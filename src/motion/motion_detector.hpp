@@ -33,6 +33,11 @@ struct MotionFrame {
   cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
 };
 
+/// How far a pose agrees with what is known of the static scene; see MotionReport.
+struct PoseAgreement {
+  double depth = 1, looks = 1;  ///< shares
+};
+
 /// A method that finds by geometry what moves. Called for each frame in turn, from one thread at a time; same
 /// calls, same results.
 class MotionDetector {
@@ -47,11 +52,14 @@ class MotionDetector {
   /// @returns the missing landmarks that it looks through: what they belonged to has gone
   virtual std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
                                           const std::vector<MaskTile>& tiles) = 0;
-  /// How far a pose of a frame agrees with what is known, beside what is expected to move; see MotionReport.
-  /// Cheap: looks at a sample. `depth`: of the frame, as in RgbdImage; `expected`: CV_8UC1, 255 = dynamic, or
-  /// empty. Nothing: the method cannot tell.
-  virtual std::optional<double> agreement(const Pose& cam_from_world, MapId map, const cv::Mat& depth,
-                                          const cv::Mat& expected) const = 0;
+  /// How far the pose of a frame agrees with what is known, beside what is expected to move. Cheap: looks at a
+  /// sample. Nothing: the method cannot tell.
+  /// @param small     the frame, shrunk; of it the brightness
+  /// @param depth     of the frame, as in RgbdImage
+  /// @param expected  CV_8UC1, 255 = dynamic, or empty
+  virtual std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map,
+                                                 const SmallFrame& small, const cv::Mat& depth,
+                                                 const cv::Mat& expected) const = 0;
   /// What moves in the frame observed last: CV_8UC1 of the camera's size, 255 = dynamic.
   virtual cv::Mat mask() const = 0;
   /// The same and all that may move, of which no landmarks are to be made: on what has just come into view

@@ -35,6 +35,8 @@ struct MotionSettings {
                "map: a thing that appeared belongs to the static scene after resting for so long");
   STDC_SETTING(double, min_agreement, 0.65, "ratio", 0, 1,
                "map: a pose that explains less of the known static scene is uncertain");
+  STDC_SETTING(double, min_likeness, 0.35, "ratio", 0, 1,
+               "map: ...and so is one at which less of it looks as it did");
   STDC_SETTING(int, views, 6, "count", 1, 32, "map: earlier views that a frame is compared with");
   STDC_SETTING(int, max_views, 128, "count", 4, 4096, "map: earlier views kept");
   STDC_SETTING(double, evidence, 1.2, "log-odds", 0.01, 10, "map: weight of one comparison of a cell");

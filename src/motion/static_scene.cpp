@@ -228,13 +228,34 @@ std::vector<float> StaticScene::changed_share(const SceneFrame& frame, const Sce
   return share;
 }
 
+/// Within the range of what is around the cell: the pose is right to about a cell.
+bool StaticScene::looks_alike(const SceneView& view, int cell, float grey) const {
+  constexpr float kNoise = 12;
+  const int width = geometry_.width(), height = geometry_.height();
+  const int x = std::clamp(cell % width, 1, width - 2), y = std::clamp(cell / width, 1, height - 2);
+  float darkest = 255, brightest = 0;
+  for (int v = y - 1; v <= y + 1; ++v) {
+    for (int u = x - 1; u <= x + 1; ++u) {
+      const float there = view.grid.grey[static_cast<std::size_t>(v * width + u)];
+      darkest = std::min(darkest, there);
+      brightest = std::max(brightest, there);
+    }
+  }
+  return grey > darkest - kNoise && grey < brightest + kNoise;
+}
+
 StaticScene::Agreement StaticScene::agreement(const std::vector<Sample>& samples, const Pose& cam_from_world,
                                               MapId map) const {
-  std::vector<std::uint8_t> known(samples.size(), 0), fresh(samples.size(), 0);
+  enum : std::uint8_t { kFresh = 1, kKnown = 2 };
+  Agreement result;
+  std::vector<std::uint8_t> found(samples.size(), 0);
+  std::vector<std::pair<int, int>> pairs(samples.size());
   for (const std::size_t index : chosen_) {
     if (index >= views_.size() || views_[index].map != map) continue;
     const SceneView& view = views_[index];
     const GridProjection project(view.view_from_world * cam_from_world.inverse(), geometry_);
+    pairs.clear();
+    double now = 1, then = 1;
     for (std::size_t s = 0; s < samples.size(); ++s) {
       float there = 0;
       const int seen = project.cell(samples[s].column, samples[s].row, samples[s].depth, there);
@@ -242,16 +263,28 @@ StaticScene::Agreement StaticScene::agreement(const std::vector<Sample>& samples
       const auto i = static_cast<std::size_t>(seen);
       if (view.grid.near[i] == 0) continue;
       if (there < view.grid.near[i] - tolerance(there)) {
-        fresh[s] = 1;
+        found[s] |= kFresh;
       } else if (there < view.grid.far[i] + tolerance(there)) {
-        known[s] = 1;
+        found[s] |= kKnown;
+        pairs.emplace_back(static_cast<int>(s), seen);
+        now += samples[s].grey;
+        then += view.grid.grey[i];
       }
     }
+    const auto gain = static_cast<float>(std::clamp(then / now, 0.5, 2.0));  // exposure may have changed
+    int alike = 0;
+    for (const auto& [sample, cell] : pairs) {
+      const auto s = static_cast<std::size_t>(sample);
+      alike += looks_alike(view, cell, gain * static_cast<float>(samples[s].grey)) ? 1 : 0;
+    }
+    constexpr std::size_t kMinShared = 60;
+    if (pairs.size() >= kMinShared) {
+      result.looks = std::min(result.looks, static_cast<double>(alike) / static_cast<double>(pairs.size()));
+    }
   }
-  Agreement result;
-  for (std::size_t s = 0; s < samples.size(); ++s) {
-    result.known += known[s];
-    result.fresh += known[s] == 0 ? fresh[s] : 0;
+  for (const std::uint8_t bits : found) {
+    result.known += (bits & kKnown) != 0 ? 1 : 0;
+    result.fresh += (bits & (kKnown | kFresh)) == kFresh ? 1 : 0;
   }
   return result;
 }

@@ -73,10 +73,14 @@ class StaticScene {
   struct Sample {
     int column = 0, row = 0;
     float depth = 0;  ///< [m]
+    int grey = 0;
   };
-  /// How many samples show a surface that a chosen view knows, and how many one in front of what all see.
+  /// How many samples show a surface that a chosen view knows, and how many one in front of what all see; and
+  /// the share of the samples that look as they did in the view that least agrees: views that were made while
+  /// the camera went astray agree with where it is now.
   struct Agreement {
     int known = 0, fresh = 0;
+    double looks = 1;
   };
   Agreement agreement(const std::vector<Sample>& samples, const Pose& cam_from_world, MapId map) const;
   /// Remembers a frame. `rest`: how long each cell's surface has rested [s]; `doubtful`: see SceneView.
@@ -91,6 +95,7 @@ class StaticScene {
   }
 
  private:
+  bool looks_alike(const SceneView& view, int cell, float grey) const;
   void learn_from(const SceneFrame& frame, SceneView& view);
   std::vector<float> changed_share(const SceneFrame& frame, const SceneView& view,
                                    const std::vector<int>& again) const;

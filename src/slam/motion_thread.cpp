@@ -32,10 +32,10 @@ cv::Mat MotionThread::expected() {
   return expected_;
 }
 
-std::optional<double> MotionThread::agreement(const Pose& cam_from_world, MapId map,
+std::optional<PoseAgreement> MotionThread::agreement(const Pose& cam_from_world, MapId map,
                                               const AtlasSnapshot& snapshot) {
   motion_->follow(snapshot);
-  return motion_->agreement(cam_from_world, map, depth_, expected_);
+  return motion_->agreement(cam_from_world, map, propagator_.newest(), depth_, expected_);
 }
 
 void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {

@@ -190,8 +190,11 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   if (!motion_) return;
   const Pose cam_from_world = back_end_.snapshot().cam_from_world(
       local_map_.reference, frame.cam_from_world * local_map_.reference_from_world.inverse());
-  result.motion->agreement = motion_->agreement(cam_from_world, active_map_, back_end_.snapshot());
-  if (result.motion->agreement.value_or(1) < settings_.motion.min_agreement) {
+  const auto agreement = motion_->agreement(cam_from_world, active_map_, back_end_.snapshot());
+  if (!agreement) return;
+  result.motion->agreement = agreement->depth;
+  result.motion->likeness = agreement->looks;
+  if (agreement->depth < settings_.motion.min_agreement || agreement->looks < settings_.motion.min_likeness) {
     result.status = TrackingStatus::uncertain;
   }
 }

@@ -49,10 +49,12 @@ std::string sigma_columns(const std::optional<Matrix6d>& covariance) {
 }
 
 std::string motion_columns(const std::optional<MotionReport>& report) {
-  if (!report) return ",,,";
-  return fmt::format(",{:.4f},{},{:.3f}", report->dynamic_share,
-                     report->agreement ? fmt::format("{:.3f}", *report->agreement) : "",
-                     report->milliseconds);
+  if (!report) return ",,,,";
+  const auto cell = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.3f}", *value) : std::string();
+  };
+  return fmt::format(",{:.4f},{},{},{:.3f}", report->dynamic_share, cell(report->agreement),
+                     cell(report->likeness), report->milliseconds);
 }
 
 std::string loop_columns(const std::optional<LoopReport>& loop) {
@@ -132,7 +134,7 @@ std::string RunRecord::frames_csv() const {
   text += ",dynamic_share,mask_age,segmentation_ms,propagation_ms,refinement_ms";
   text += ",mapping_ms,bundle_adjustment_ms,bundle_keyframes,bundle_landmarks,bundle_observations";
   text += ",place_recognition_ms,loop,loop_ms,position_sigma_m,rotation_sigma_rad";
-  text += ",moving_share,agreement,motion_ms\n";
+  text += ",moving_share,agreement,likeness,motion_ms\n";
   for (const TrackingResult& result : results_) text += csv_row(result);
   return text;
 }

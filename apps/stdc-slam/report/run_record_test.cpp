@@ -49,7 +49,7 @@ TEST(RunRecord, WritesARowForEveryFrame) {
   const auto commas = std::count(csv.begin(), csv.begin() + static_cast<long>(csv.find('\n')), ',');
   EXPECT_EQ(std::count(csv.begin(), csv.end(), ','), 5 * commas);
   EXPECT_NE(csv.find("\n2,1.200000,skipped,,10,0,7,0,0,"), std::string::npos);
-  EXPECT_NE(csv.find(",40.000,30.000,5,600,2000,1.500,,,,,,,\n"), std::string::npos);
+  EXPECT_NE(csv.find(",40.000,30.000,5,600,2000,1.500,,,,,,,,\n"), std::string::npos);
 
   EXPECT_EQ(record.counts().total(), 4);
   EXPECT_EQ(record.counts().ok, 1);
@@ -84,8 +84,8 @@ TEST(RunRecord, CountsLoopsAndMerges) {
   const std::string csv = record.frames_csv();
   EXPECT_NE(csv.find("\n2,1.200000,ok,0,10,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\n3,1.300000,ok,2,10,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find(",loop,12.000,,,,,\n2,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find(",merge,32.000,,,,,\n4,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",loop,12.000,,,,,,\n2,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",merge,32.000,,,,,,\n4,"), std::string::npos) << csv;
 }
 
 TEST(RunRecord, KeepsThePosesThatWereTracked) {
