@@ -77,18 +77,21 @@ TEST(MotionFaults, WithoutTheSearchForMotionTheBoardDeceives) {
   EXPECT_GT(walk.worst_error({0}, 0), 0.05) << "else the test above shows nothing";
 }
 
+// A map begins at once, with movers in it: those lose their landmarks as soon as they have moved. While the
+// camera rests that is so after some frames; what nobody could tell is which of two things moves when the
+// camera sets off in the first frame and a mover has more keypoints than the room.
 TEST(MotionFaults, FirstFramesFullOfMovers) {
-  const Board left(36, 130, 1.0, 6), right(36, 130, 1.1, 7);  // an eighth of the view
+  const Board left(55, 150, 1.0, 6), right(55, 150, 1.1, 7);  // a quarter of the view
   Walk walk(without_segmentation());
   for (int i = 0; i < 60; ++i) {
-    walk.see(i, [&](RgbdImage& image) {
+    walk.see(std::max(0, i - 20), [&](RgbdImage& image) {
       left.paste(image, 20 + 5 * i, 40);
       right.paste(image, 210 - 4 * i, 30);
     });
   }
-  walk.go(60, 100);
+  walk.go(40, 80);
   EXPECT_LT(walk.worst_error({0}, 0), 0.05);
-  EXPECT_GT(walk.count(TrackingStatus::ok), 90);
+  EXPECT_GT(walk.count(TrackingStatus::ok), 95);
 }
 
 TEST(MotionFaults, AMoverThatStopsForGood) {
