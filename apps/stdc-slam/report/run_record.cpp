@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace stdc::app {
 namespace {
@@ -229,8 +230,10 @@ nlohmann::ordered_json RunRecord::motion() const {
     if (result.motion->agreement) agreements.push_back(*result.motion->agreement);
   }
   if (times.empty()) return nullptr;
+  nlohmann::ordered_json share = to_json(quantiles(shares));
+  share["mean"] = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
   return {{"motion_ms", to_json(quantiles(times))},
-          {"moving_share", to_json(quantiles(shares))},
+          {"moving_share", share},
           {"agreement", to_json(quantiles(agreements))}};
 }
 
