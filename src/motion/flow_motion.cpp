@@ -1,0 +1,150 @@
+#include "motion/flow_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/cell_mask.hpp"
+#include "segmentation/propagation/patch_tracking.hpp"
+
+namespace stdc {
+namespace {
+
+constexpr int kBin = 5;  // side of a square that gives one corner [cells]
+
+/// The cell of a square with most contrast; false if there is too little in all of them.
+bool choose_corner(const SmallFrame& frame, int left, int top, cv::Point& chosen) {
+  constexpr int kMinContrast = 60;  // [grey levels], sum of nine, the smaller of both ways
+  int best = kMinContrast - 1;
+  const SmallImage& image = frame.levels[0];
+  for (int y = top; y < top + kBin; ++y) {
+    for (int x = left; x < left + kBin; ++x) {
+      const std::uint8_t* row = image.row(y);
+      const int stride = image.stride();
+      int xx = 0, yy = 0;
+      for (int v = -1; v <= 1; ++v) {
+        const std::uint8_t* pixel = row + v * stride + x - 1;
+        for (int u = -1; u <= 1; ++u, ++pixel) {
+          xx += std::abs(pixel[1] - pixel[-1]);
+          yy += std::abs(pixel[stride] - pixel[-stride]);
+        }
+      }
+      const int contrast = std::min(xx, yy);
+      if (contrast <= best) continue;
+      best = contrast;
+      chosen = {x, y};
+    }
+  }
+  return best >= kMinContrast;
+}
+
+/// Of each cell whether something that moved a frame ago is there now.
+std::vector<std::uint8_t> cells_of_tiles(const SmallFrame& frame, const std::vector<MaskTile>& tiles) {
+  std::vector<std::uint8_t> cells(frame.depth.size(), 0);
+  for (const MaskTile& tile : tiles) {
+    const int left = static_cast<int>(std::lround(static_cast<float>(tile.x) + tile.shift.x()));
+    const int top = static_cast<int>(std::lround(static_cast<float>(tile.y) + tile.shift.y()));
+    for (int y = top; y < top + MaskTile::kSide; ++y) {
+      for (int x = left; x < left + MaskTile::kSide; ++x) {
+        if (frame.contains(x, y)) cells[static_cast<std::size_t>(y * frame.width() + x)] = 1;
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+FlowMotion::FlowMotion(const Camera& camera, const MotionSettings& settings)
+    : camera_(camera), settings_(settings) {
+  check_ranges("motion", settings_);
+}
+
+std::vector<LandmarkId> FlowMotion::observe(const MotionFrame& frame, const SmallFrame& small,
+                                            const std::vector<MaskTile>& tiles) {
+  depth_ = frame.depth;
+  scale_ = small.scale;
+  moving_.assign(small.depth.size(), 0);
+  if (!recent_.empty()) {
+    const std::vector<std::uint8_t> moved = cells_of_tiles(small, tiles);
+    const std::vector<std::uint8_t> segmented = squares_of_mask(frame.segmented, scale_, camera_);
+    std::vector<Corner> corners = follow_corners(small, recent_.front(), moved, segmented);
+    std::vector<FlowPoint> points;
+    for (const Corner& corner : corners) points.push_back(corner.flow);
+    const double threshold = settings_.flow_threshold / std::sqrt(camera_.fx * camera_.fy);
+    const auto flow = fit_static_flow(points, threshold, static_cast<std::uint64_t>(settings_.flow_seed));
+    if (flow) {
+      judge(*flow, threshold, corners);
+      const std::vector<GrowthSeed> known = seeds(small, corners);
+      moving_ = grow_in_depth(small.width(), small.height(), small.depth, known, DepthGrowth());
+      drop_unsupported(small.width(), small.height(), known, settings_.flow_min_points, moving_);
+    }
+  }
+  recent_.push_back(small);
+  if (recent_.size() > static_cast<std::size_t>(settings_.flow_lag)) recent_.pop_front();
+  return {};
+}
+
+std::vector<FlowMotion::Corner> FlowMotion::follow_corners(const SmallFrame& now, const SmallFrame& then,
+                                                           const std::vector<std::uint8_t>& moved,
+                                                           const std::vector<std::uint8_t>& segmented) const {
+  constexpr int kRim = 2;  // [cells]
+  std::vector<Corner> corners;
+  for (int top = kRim; top + kBin <= now.height() - kRim; top += kBin) {
+    for (int left = kRim; left + kBin <= now.width() - kRim; left += kBin) {
+      Corner corner;
+      if (!choose_corner(now, left, top, corner.at)) continue;
+      Eigen::Vector2f flow = Eigen::Vector2f::Zero();
+      if (!follow_patch(now, then, corner.at, flow)) continue;
+      const Eigen::Vector2f here(static_cast<float>(corner.at.x), static_cast<float>(corner.at.y));
+      const float depth = now.depth_at(corner.at.x, corner.at.y);
+      const auto cell = static_cast<std::size_t>(corner.at.y * now.width() + corner.at.x);
+      corner.flow = {ray_of(here, now.scale), ray_of(here + flow, now.scale), depth > 0 ? 1.0 / depth : 0,
+                     moved[cell] == 0 && segmented[cell] == 0};
+      corner.moved = moved[cell] != 0;
+      corners.push_back(corner);
+    }
+  }
+  return corners;
+}
+
+Eigen::Vector2d FlowMotion::ray_of(const Eigen::Vector2f& cell, int scale) const {
+  const Eigen::Vector2d raw = cell.cast<double>() * scale + Eigen::Vector2d::Constant(0.5 * (scale - 1));
+  const Eigen::Vector2d ideal = camera_.undistort(raw);
+  return {(ideal.x() - camera_.cx) / camera_.fx, (ideal.y() - camera_.cy) / camera_.fy};
+}
+
+void FlowMotion::judge(const StaticFlow& flow, double threshold, std::vector<Corner>& corners) const {
+  constexpr double kNoise = 6;  // medians
+  const double limit = std::max(threshold, kNoise * flow.sigma);
+  for (Corner& corner : corners) {
+    corner.moves = flow.residual(corner.flow) > (corner.moved ? 0.5 * limit : limit);
+  }
+}
+
+/// A corner counts if of those around it on the same surface at least as many say the same as not.
+std::vector<GrowthSeed> FlowMotion::seeds(const SmallFrame& now, const std::vector<Corner>& corners) const {
+  constexpr int kReach = 10;            // [cells]
+  constexpr float kSameSurface = 0.3F;  // [m]
+  std::vector<GrowthSeed> result(now.depth.size(), GrowthSeed::none);
+  for (const Corner& corner : corners) {
+    const float depth = now.depth_at(corner.at.x, corner.at.y);
+    int same = 0, other = 0;
+    for (const Corner& neighbour : corners) {
+      const cv::Point apart = neighbour.at - corner.at;
+      if (std::abs(apart.x) > kReach || std::abs(apart.y) > kReach || &neighbour == &corner) continue;
+      if (std::abs(now.depth_at(neighbour.at.x, neighbour.at.y) - depth) > kSameSurface) continue;
+      ++(neighbour.moves == corner.moves ? same : other);
+    }
+    if (corner.moves && (same == 0 || same < other)) continue;
+    result[static_cast<std::size_t>(corner.at.y * now.width() + corner.at.x)] =
+        corner.moves ? GrowthSeed::moving : GrowthSeed::resting;
+  }
+  return result;
+}
+
+cv::Mat FlowMotion::mask() const {
+  if (moving_.empty()) return cv::Mat(camera_.height, camera_.width, CV_8UC1, cv::Scalar(0));
+  return mask_of_squares(moving_, scale_, camera_, depth_);
+}
+
+}  // namespace stdc

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace stdc {
+
+/// A point that was followed from one frame to another.
+struct FlowPoint {
+  Eigen::Vector2d here, there;  ///< in the two frames: ideal, x / z and y / z
+  double inverse_depth = 0;     ///< in the first [1/m]; 0: not known
+  bool usable = true;           ///< for the motion of the static part: nothing speaks against it
+};
+
+/// How the static part of a frame moves to another frame: a homography, and its error for what is not on its
+/// plane. With x homogeneous, x_there ~ homography x_here + inverse_depth * parallax: plane and parallax (Irani
+/// and Anandan, PAMI 1998), with the plane at infinity. The homography is free, so that it takes in a rolling
+/// shutter as well.
+struct StaticFlow {
+  Eigen::Matrix3d homography = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d parallax = Eigen::Vector3d::Zero();  ///< [m]
+  double sigma = 0;  ///< of the points that agree, robust, as residual()
+
+  /// Where a point goes. False if behind the camera.
+  bool predict(const Eigen::Vector2d& here, double inverse_depth, Eigen::Vector2d& there) const;
+  /// How far a point is from where it should be, in units of x / z. Where its depth is not known: from its
+  /// epipolar line, between the depths of 0.5 m and infinity.
+  double residual(const FlowPoint& point) const;
+};
+
+/// Fits the static flow to the usable points: RANSAC over homographies of four points (Fischler and Bolles,
+/// CACM 1981), then Gauss-Newton with a redescending weight over homography and parallax.
+/// @param threshold  residuals below belong to the static part, in units of x / z
+/// @param seed       of the random choices
+/// @returns nothing if fewer than 16 points with depth agree, or less than a quarter
+std::optional<StaticFlow> fit_static_flow(const std::vector<FlowPoint>& points, double threshold,
+                                          std::uint64_t seed);
+
+}  // namespace stdc
