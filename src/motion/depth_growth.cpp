@@ -1,5 +1,6 @@
 #include "motion/depth_growth.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -45,6 +46,28 @@ int step_cost(float from, float to, const DepthGrowth& settings) {
 }
 
 }  // namespace
+
+std::vector<GrowthSeed> keep_majority(int width, int height, const std::vector<float>& depth,
+                                      const std::vector<GrowthSeed>& seeds, int reach, int min_same) {
+  constexpr float kSameSurface = 0.3F;  // [m]
+  std::vector<GrowthSeed> kept = seeds;
+  for (int cell = 0; cell < width * height; ++cell) {
+    const auto i = static_cast<std::size_t>(cell);
+    if (seeds[i] == GrowthSeed::none) continue;
+    const int x = cell % width, y = cell / width;
+    int same = -1, other = 0;  // it is not its own witness
+    for (int v = std::max(y - reach, 0); v <= std::min(y + reach, height - 1); ++v) {
+      for (int u = std::max(x - reach, 0); u <= std::min(x + reach, width - 1); ++u) {
+        const auto k = static_cast<std::size_t>(v * width + u);
+        if (seeds[k] == GrowthSeed::none || std::abs(depth[k] - depth[i]) > kSameSurface) continue;
+        ++(seeds[k] == seeds[i] ? same : other);
+      }
+    }
+    const int wanted = std::max(seeds[i] == GrowthSeed::moving ? min_same : 0, other);
+    if (same < wanted) kept[i] = GrowthSeed::none;
+  }
+  return kept;
+}
 
 std::vector<std::uint8_t> grow_in_depth(int width, int height, const std::vector<float>& depth,
                                         const std::vector<GrowthSeed>& seeds, const DepthGrowth& settings) {

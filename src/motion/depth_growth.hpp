@@ -16,6 +16,11 @@ struct DepthGrowth {
   float step_growth = 0.012F;    ///< ...and by this times z^2 more [1/m]
 };
 
+/// Takes out the seeds that those around them contradict: on the same surface, up to `reach` cells away both
+/// ways, more say otherwise than the same, or, for a moving one, fewer than `min_same` others say the same.
+std::vector<GrowthSeed> keep_majority(int width, int height, const std::vector<float>& depth,
+                                      const std::vector<GrowthSeed>& seeds, int reach, int min_same);
+
 /// Completes things from a few of their points: moving and resting seeds grow along the surfaces of a depth
 /// image, stop at depth edges, and each cell belongs to the seed that is nearest along its surface (seeded
 /// region growing: Adams and Bischof, PAMI 1994, with geodesic distances). Resting seeds keep a moving region

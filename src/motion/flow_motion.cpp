@@ -9,7 +9,7 @@
 namespace stdc {
 namespace {
 
-constexpr int kBin = 5;  // side of a square that gives one corner [cells]
+constexpr int kBin = 4;  // side of a square that gives one corner [cells]
 
 /// The cell of a square with most contrast; false if there is too little in all of them.
 bool choose_corner(const SmallFrame& frame, int left, int top, cv::Point& chosen) {
@@ -35,6 +35,21 @@ bool choose_corner(const SmallFrame& frame, int left, int top, cv::Point& chosen
     }
   }
   return best >= kMinContrast;
+}
+
+/// The depth of a cell; beside an edge it may be that of any cell around.
+void set_depth(const SmallFrame& frame, cv::Point at, FlowPoint& point) {
+  const float depth = frame.depth_at(at.x, at.y);
+  if (!(depth > 0)) return;
+  point.inverse_depth = point.least = point.most = 1.0 / depth;
+  for (int y = at.y - 1; y <= at.y + 1; ++y) {
+    for (int x = at.x - 1; x <= at.x + 1; ++x) {
+      const float there = frame.depth_at(x, y);
+      if (!(there > 0)) continue;
+      point.least = std::min(point.least, 1.0 / there);
+      point.most = std::max(point.most, 1.0 / there);
+    }
+  }
 }
 
 /// Of each cell whether something that moved a frame ago is there now.
@@ -71,11 +86,13 @@ std::vector<LandmarkId> FlowMotion::observe(const MotionFrame& frame, const Smal
     std::vector<FlowPoint> points;
     for (const Corner& corner : corners) points.push_back(corner.flow);
     const double threshold = settings_.flow_threshold / std::sqrt(camera_.fx * camera_.fy);
-    const auto flow = fit_static_flow(points, threshold, static_cast<std::uint64_t>(settings_.flow_seed));
+    const auto flow =
+        fit_static_flow(points, threshold, static_cast<std::uint64_t>(settings_.flow_seed), last_flow_);
+    last_flow_ = flow.value_or(StaticFlow());
     if (flow) {
       judge(*flow, threshold, corners);
       const std::vector<GrowthSeed> known = seeds(small, corners);
-      moving_ = grow_in_depth(small.width(), small.height(), small.depth, known, DepthGrowth());
+      moving_ = grow_in_depth(small.width(), small.height(), small.depth, known, {.reach = 40});
       drop_unsupported(small.width(), small.height(), known, settings_.flow_min_points, moving_);
     }
   }
@@ -96,10 +113,11 @@ std::vector<FlowMotion::Corner> FlowMotion::follow_corners(const SmallFrame& now
       Eigen::Vector2f flow = Eigen::Vector2f::Zero();
       if (!follow_patch(now, then, corner.at, flow)) continue;
       const Eigen::Vector2f here(static_cast<float>(corner.at.x), static_cast<float>(corner.at.y));
-      const float depth = now.depth_at(corner.at.x, corner.at.y);
       const auto cell = static_cast<std::size_t>(corner.at.y * now.width() + corner.at.x);
-      corner.flow = {ray_of(here, now.scale), ray_of(here + flow, now.scale), depth > 0 ? 1.0 / depth : 0,
-                     moved[cell] == 0 && segmented[cell] == 0};
+      corner.flow.here = ray_of(here, now.scale);
+      corner.flow.there = ray_of(here + flow, now.scale);
+      set_depth(now, corner.at, corner.flow);
+      corner.flow.usable = moved[cell] == 0 && segmented[cell] == 0;
       corner.moved = moved[cell] != 0;
       corners.push_back(corner);
     }
@@ -121,25 +139,14 @@ void FlowMotion::judge(const StaticFlow& flow, double threshold, std::vector<Cor
   }
 }
 
-/// A corner counts if of those around it on the same surface at least as many say the same as not.
 std::vector<GrowthSeed> FlowMotion::seeds(const SmallFrame& now, const std::vector<Corner>& corners) const {
-  constexpr int kReach = 10;            // [cells]
-  constexpr float kSameSurface = 0.3F;  // [m]
+  constexpr int kReach = 10, kMinSame = 2;  // [cells]; others that confirm a moving point
   std::vector<GrowthSeed> result(now.depth.size(), GrowthSeed::none);
   for (const Corner& corner : corners) {
-    const float depth = now.depth_at(corner.at.x, corner.at.y);
-    int same = 0, other = 0;
-    for (const Corner& neighbour : corners) {
-      const cv::Point apart = neighbour.at - corner.at;
-      if (std::abs(apart.x) > kReach || std::abs(apart.y) > kReach || &neighbour == &corner) continue;
-      if (std::abs(now.depth_at(neighbour.at.x, neighbour.at.y) - depth) > kSameSurface) continue;
-      ++(neighbour.moves == corner.moves ? same : other);
-    }
-    if (corner.moves && (same == 0 || same < other)) continue;
     result[static_cast<std::size_t>(corner.at.y * now.width() + corner.at.x)] =
         corner.moves ? GrowthSeed::moving : GrowthSeed::resting;
   }
-  return result;
+  return keep_majority(now.width(), now.height(), now.depth, result, kReach, kMinSame);
 }
 
 cv::Mat FlowMotion::mask() const {

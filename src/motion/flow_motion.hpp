@@ -71,6 +71,7 @@ class FlowMotion : public MotionDetector {
   Camera camera_;
   MotionSettings settings_;
   std::deque<SmallFrame> recent_;     ///< the oldest first
+  StaticFlow last_flow_;
   std::vector<std::uint8_t> moving_;  ///< of each cell of the last frame
   int scale_ = 1;
   cv::Mat depth_;  ///< of the last frame

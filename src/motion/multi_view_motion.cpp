@@ -41,7 +41,9 @@ MultiViewMotion::MultiViewMotion(const Camera& camera, const MotionSettings& set
 
 void MultiViewMotion::follow(const AtlasSnapshot& snapshot) {
   const auto& keyframes = snapshot.keyframes();
-  if (last_ && !keyframes.empty() && !keyframes_.has(last_->frame)) {
+  const bool has_grown = keyframes.size() > known_keyframes_;
+  known_keyframes_ = keyframes.size();
+  if (last_ && has_grown && !keyframes_.has(last_->frame)) {
     const KeyframeId newest{static_cast<std::uint32_t>(keyframes.size() - 1)};
     if (snapshot.is_kept(newest) && keyframes.back().frame == last_->frame) {
       last_->reference = newest;
@@ -76,7 +78,7 @@ std::vector<LandmarkId> MultiViewMotion::observe(const MotionFrame& frame, const
 
 void MultiViewMotion::find_moving(const DepthGrid& grid, const Pose& cam_from_world, MapId map) {
   const std::vector<GrowthSeed> known = seeds(grid, cam_from_world, map);
-  moving_ = grow_in_depth(geometry_.width(), geometry_.height(), grid.depth, known, DepthGrowth());
+  moving_ = grow_in_depth(geometry_.width(), geometry_.height(), grid.depth, known, {.reach = 40});
   drop_unsupported(geometry_.width(), geometry_.height(), known, settings_.multi_view_min_points, moving_);
 }
 
@@ -98,9 +100,11 @@ std::vector<GrowthSeed> MultiViewMotion::seeds(const DepthGrid& grid, const Pose
       if (x < 0 || y < 0 || x >= geometry_.width() || y >= geometry_.height()) continue;
       const auto cell = static_cast<std::size_t>(y * geometry_.width() + x);
       if (grid.depth[cell] == 0) continue;
+      const float tolerance = static_cast<float>(settings_.depth_tolerance) +
+                              static_cast<float>(settings_.depth_tolerance_growth) * point.z() * point.z();
       if (point.z() - grid.far[cell] > tau) {
         if (!is_uncertain(grid, x, y)) ++votes[cell];
-      } else if (point.z() > grid.near[cell] - 0.5F * tau && point.z() < grid.far[cell] + 0.5F * tau) {
+      } else if (point.z() > grid.near[cell] - tolerance && point.z() < grid.far[cell] + tolerance) {
         --votes[cell];
       }
     }
@@ -109,7 +113,8 @@ std::vector<GrowthSeed> MultiViewMotion::seeds(const DepthGrid& grid, const Pose
   for (std::size_t i = 0; i < votes.size(); ++i) {
     if (votes[i] != 0) result[i] = votes[i] > 0 ? GrowthSeed::moving : GrowthSeed::resting;
   }
-  return result;
+  constexpr int kReach = 6, kMinSame = 1;  // [cells]; others that confirm a dynamic point
+  return keep_majority(geometry_.width(), geometry_.height(), grid.depth, result, kReach, kMinSame);
 }
 
 /// Whether the depth around a cell varies so much that the cell may be on an outline.

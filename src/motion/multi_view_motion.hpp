@@ -62,6 +62,7 @@ class MultiViewMotion : public MotionDetector {
   KeyframeStore keyframes_;
   /// The last frame, in case that it becomes a keyframe: the map decides after it was observed.
   std::optional<KeyframePoints> last_;
+  std::size_t known_keyframes_ = 0;   ///< of the map, removed ones included
   std::vector<std::uint8_t> moving_;  ///< of each cell
   cv::Mat depth_;                     ///< of the last frame
 };

@@ -98,6 +98,12 @@ void improve(StaticFlow& flow, const std::vector<const FlowPoint*>& points, doub
   flow.parallax -= step.tail<3>();
 }
 
+/// What a homography alone explains may be little: the scale begins wide and narrows as parallax is found.
+StaticFlow refined(StaticFlow flow, const std::vector<const FlowPoint*>& points, double threshold) {
+  for (const double scale : {16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 3.0, 3.0}) improve(flow, points, scale * threshold);
+  return flow;
+}
+
 }  // namespace
 
 bool StaticFlow::predict(const Vector2d& here, double inverse_depth, Vector2d& there) const {
@@ -108,21 +114,17 @@ bool StaticFlow::predict(const Vector2d& here, double inverse_depth, Vector2d& t
 }
 
 double StaticFlow::residual(const FlowPoint& point) const {
-  constexpr double kFar = 1e3, kNearest = 2;  // [1/m]
-  Vector2d there;
-  if (point.inverse_depth != 0) {
-    return predict(point.here, point.inverse_depth, there) ? (point.there - there).norm() : kFar;
-  }
-  Vector2d nearest;
-  if (!predict(point.here, 0, there) || !predict(point.here, kNearest, nearest)) return kFar;
-  const Vector2d line = nearest - there, error = point.there - there;
+  constexpr double kBehind = 1e3;
+  Vector2d farthest, nearest;
+  if (!predict(point.here, point.least, farthest) || !predict(point.here, point.most, nearest)) return kBehind;
+  const Vector2d line = nearest - farthest, error = point.there - farthest;
   const double length = line.squaredNorm();
   const double along = length > 0 ? std::clamp(error.dot(line) / length, 0.0, 1.0) : 0;
   return (error - along * line).norm();
 }
 
 std::optional<StaticFlow> fit_static_flow(const std::vector<FlowPoint>& points, double threshold,
-                                          std::uint64_t seed) {
+                                          std::uint64_t seed, const StaticFlow& guess) {
   constexpr std::size_t kMinPoints = 16;
   std::vector<const FlowPoint*> usable;
   for (const FlowPoint& point : points) {
@@ -130,9 +132,9 @@ std::optional<StaticFlow> fit_static_flow(const std::vector<FlowPoint>& points, 
   }
   if (usable.size() < kMinPoints) return std::nullopt;
   Random random(seed);
-  StaticFlow flow = best_homography(usable, 3 * threshold, random);
-  // What the homography alone explains may be little: the scale begins wide and narrows as parallax is found.
-  for (const double scale : {16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 3.0, 3.0}) improve(flow, usable, scale * threshold);
+  StaticFlow flow = refined(best_homography(usable, 3 * threshold, random), usable, threshold);
+  const StaticFlow other = refined(guess, usable, threshold);
+  if (cost_of(other, usable, threshold) < cost_of(flow, usable, threshold)) flow = other;
   std::vector<double> residuals;
   for (const FlowPoint* point : usable) {
     const double r = flow.residual(*point);

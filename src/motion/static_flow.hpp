@@ -11,6 +11,7 @@ namespace stdc {
 struct FlowPoint {
   Eigen::Vector2d here, there;  ///< in the two frames: ideal, x / z and y / z
   double inverse_depth = 0;     ///< in the first [1/m]; 0: not known
+  double least = 0, most = 2;   ///< what the inverse depth may be [1/m]: its epipolar line is that long
   bool usable = true;           ///< for the motion of the static part: nothing speaks against it
 };
 
@@ -25,8 +26,8 @@ struct StaticFlow {
 
   /// Where a point goes. False if behind the camera.
   bool predict(const Eigen::Vector2d& here, double inverse_depth, Eigen::Vector2d& there) const;
-  /// How far a point is from where it should be, in units of x / z. Where its depth is not known: from its
-  /// epipolar line, between the depths of 0.5 m and infinity.
+  /// How far a point is from where it should be, in units of x / z: from the part of its epipolar line that its
+  /// depth leaves.
   double residual(const FlowPoint& point) const;
 };
 
@@ -34,8 +35,9 @@ struct StaticFlow {
 /// CACM 1981), then Gauss-Newton with a redescending weight over homography and parallax.
 /// @param threshold  residuals below belong to the static part, in units of x / z
 /// @param seed       of the random choices
+/// @param guess      where Gauss-Newton begins, too: the flow of the frame before
 /// @returns nothing if fewer than 16 points with depth agree, or less than a quarter
 std::optional<StaticFlow> fit_static_flow(const std::vector<FlowPoint>& points, double threshold,
-                                          std::uint64_t seed);
+                                          std::uint64_t seed, const StaticFlow& guess = {});
 
 }  // namespace stdc
