@@ -4,38 +4,13 @@
 #include <cmath>
 
 #include "motion/cell_mask.hpp"
+#include "motion/flow_corner.hpp"
 #include "segmentation/propagation/patch_tracking.hpp"
 
 namespace stdc {
 namespace {
 
 constexpr int kBin = 4;  // side of a square that gives one corner [cells]
-
-/// The cell of a square with most contrast; false if there is too little in all of them.
-bool choose_corner(const SmallFrame& frame, int left, int top, cv::Point& chosen) {
-  constexpr int kMinContrast = 60;  // [grey levels], sum of nine, the smaller of both ways
-  int best = kMinContrast - 1;
-  const SmallImage& image = frame.levels[0];
-  for (int y = top; y < top + kBin; ++y) {
-    for (int x = left; x < left + kBin; ++x) {
-      const std::uint8_t* row = image.row(y);
-      const int stride = image.stride();
-      int xx = 0, yy = 0;
-      for (int v = -1; v <= 1; ++v) {
-        const std::uint8_t* pixel = row + v * stride + x - 1;
-        for (int u = -1; u <= 1; ++u, ++pixel) {
-          xx += std::abs(pixel[1] - pixel[-1]);
-          yy += std::abs(pixel[stride] - pixel[-stride]);
-        }
-      }
-      const int contrast = std::min(xx, yy);
-      if (contrast <= best) continue;
-      best = contrast;
-      chosen = {x, y};
-    }
-  }
-  return best >= kMinContrast;
-}
 
 /// The depth of a cell; beside an edge it may be that of any cell around.
 void set_depth(const SmallFrame& frame, cv::Point at, FlowPoint& point) {
@@ -109,7 +84,10 @@ std::vector<FlowMotion::Corner> FlowMotion::follow_corners(const SmallFrame& now
   for (int top = kRim; top + kBin <= now.height() - kRim; top += kBin) {
     for (int left = kRim; left + kBin <= now.width() - kRim; left += kBin) {
       Corner corner;
-      if (!choose_corner(now, left, top, corner.at)) continue;
+      FlowCorner found;
+      if (!find_corner(now, {left, top, kBin, kBin}, found)) continue;
+      corner.at = found.at;
+      corner.flow.certainty = found.certainty;
       Eigen::Vector2f flow = Eigen::Vector2f::Zero();
       if (!follow_patch(now, then, corner.at, flow)) continue;
       const Eigen::Vector2f here(static_cast<float>(corner.at.x), static_cast<float>(corner.at.y));

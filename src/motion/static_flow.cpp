@@ -73,9 +73,10 @@ void improve(StaticFlow& flow, const std::vector<const FlowPoint*>& points, doub
     const Vector3d p = flow.homography * point->here.homogeneous() + point->inverse_depth * flow.parallax;
     if (!(p.z() > kMinZ)) continue;
     const Vector2d error = p.hnormalized() - point->there;
-    const double share = error.squaredNorm() / (scale * scale);
+    const double share = error.dot(point->certainty * error) / (scale * scale);
     if (share >= 1) continue;
     const double weight = (1 - share) * (1 - share);
+    const Eigen::Matrix2d certainty = weight * point->certainty;
     Eigen::Matrix<double, 2, 3> by_point;
     by_point << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
     Eigen::Matrix<double, 2, 11> jacobian;
@@ -83,8 +84,8 @@ void improve(StaticFlow& flow, const std::vector<const FlowPoint*>& points, doub
     jacobian.block<2, 3>(0, 3) = by_point.col(1) * point->here.homogeneous().transpose();
     jacobian.block<2, 2>(0, 6) = by_point.col(2) * point->here.transpose();
     jacobian.block<2, 3>(0, 8) = point->inverse_depth * by_point;
-    information += weight * jacobian.transpose() * jacobian;
-    gradient += weight * jacobian.transpose() * error;
+    information += jacobian.transpose() * certainty * jacobian;
+    gradient += jacobian.transpose() * certainty * error;
     total += weight;
   }
   // On a single plane homography and parallax are the same: then the homography has it all.
@@ -120,7 +121,8 @@ double StaticFlow::residual(const FlowPoint& point) const {
   const Vector2d line = nearest - farthest, error = point.there - farthest;
   const double length = line.squaredNorm();
   const double along = length > 0 ? std::clamp(error.dot(line) / length, 0.0, 1.0) : 0;
-  return (error - along * line).norm();
+  const Vector2d off = error - along * line;
+  return std::sqrt(off.dot(point.certainty * off));
 }
 
 std::optional<StaticFlow> fit_static_flow(const std::vector<FlowPoint>& points, double threshold,

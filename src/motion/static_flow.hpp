@@ -12,6 +12,8 @@ struct FlowPoint {
   Eigen::Vector2d here, there;  ///< in the two frames: ideal, x / z and y / z
   double inverse_depth = 0;     ///< in the first [1/m]; 0: not known
   double least = 0, most = 2;   ///< what the inverse depth may be [1/m]: its epipolar line is that long
+  /// How much of an error in each direction can be seen; see FlowCorner.
+  Eigen::Matrix2d certainty = Eigen::Matrix2d::Identity();
   bool usable = true;           ///< for the motion of the static part: nothing speaks against it
 };
 
@@ -27,7 +29,7 @@ struct StaticFlow {
   /// Where a point goes. False if behind the camera.
   bool predict(const Eigen::Vector2d& here, double inverse_depth, Eigen::Vector2d& there) const;
   /// How far a point is from where it should be, in units of x / z: from the part of its epipolar line that its
-  /// depth leaves.
+  /// depth leaves, as far as it can be seen.
   double residual(const FlowPoint& point) const;
 };
 
