@@ -11,16 +11,15 @@ constexpr int kReach = 3;  // of the window of the tensor [cells]
 
 /// Sum of the products of gradients around a cell, on its own surface, for a mean cell.
 Eigen::Matrix2d structure(const SmallFrame& frame, int x, int y) {
-  constexpr float kSameSurface = 0.25F;  // [m]
   const SmallImage& image = frame.levels[0];
   const int stride = image.stride();
-  const float depth = frame.depth_at(x, y);
+  const float depth = frame.depth_at(x, y), same = same_surface(depth);
   int xx = 0, xy = 0, yy = 0;
   for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, frame.height() - 1); ++v) {
     const std::uint8_t* row = image.row(v);
     for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, frame.width() - 1); ++u) {
       const float there = frame.depth_at(u, v);
-      if (depth != 0 && there != 0 && std::abs(there - depth) > kSameSurface) continue;
+      if (depth != 0 && there != 0 && std::abs(there - depth) > same) continue;
       const int dx = row[u + 1] - row[u - 1], dy = row[u + stride] - row[u - stride];
       xx += dx * dx;
       xy += dx * dy;
@@ -39,6 +38,8 @@ double smaller_eigenvalue(const Eigen::Matrix2d& tensor) {
 }
 
 }  // namespace
+
+float same_surface(float depth) { return std::max(0.04F, 0.06F * depth); }
 
 bool find_corner(const SmallFrame& frame, const cv::Rect& square, FlowCorner& corner) {
   constexpr double kMinContrast = 6, kSharp = 60;  // [grey levels^2 per cell^2]

@@ -17,9 +17,9 @@ void set_depth(const SmallFrame& frame, cv::Point at, FlowPoint& point) {
   const float depth = frame.depth_at(at.x, at.y);
   if (!(depth > 0)) return;
   point.inverse_depth = point.least = point.most = 1.0 / depth;
-  for (int y = at.y - 1; y <= at.y + 1; ++y) {
-    for (int x = at.x - 1; x <= at.x + 1; ++x) {
-      const float there = frame.depth_at(x, y);
+  for (int y = at.y - 2; y <= at.y + 2; ++y) {
+    for (int x = at.x - 2; x <= at.x + 2; ++x) {
+      const float there = frame.contains(x, y) ? frame.depth_at(x, y) : 0;
       if (!(there > 0)) continue;
       point.least = std::min(point.least, 1.0 / there);
       point.most = std::max(point.most, 1.0 / there);
@@ -89,7 +89,8 @@ std::vector<FlowMotion::Corner> FlowMotion::follow_corners(const SmallFrame& now
       corner.at = found.at;
       corner.flow.certainty = found.certainty;
       Eigen::Vector2f flow = Eigen::Vector2f::Zero();
-      if (!follow_patch(now, then, corner.at, flow)) continue;
+      const float surface = same_surface(now.depth_at(corner.at.x, corner.at.y));
+      if (!follow_patch(now, then, corner.at, flow, surface)) continue;
       const Eigen::Vector2f here(static_cast<float>(corner.at.x), static_cast<float>(corner.at.y));
       const auto cell = static_cast<std::size_t>(corner.at.y * now.width() + corner.at.x);
       corner.flow.here = ray_of(here, now.scale);

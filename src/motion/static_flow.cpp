@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/pose.hpp"
 #include "core/random.hpp"
 
 namespace stdc {
@@ -13,8 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Vector11d = Eigen::Matrix<double, 11, 1>;
-using Matrix11d = Eigen::Matrix<double, 11, 11>;
 
 constexpr double kMinZ = 0.1;
 
@@ -65,42 +64,41 @@ StaticFlow best_homography(const std::vector<const FlowPoint*>& points, double t
 
 /// One step of Gauss-Newton with Tukey's weight.
 void improve(StaticFlow& flow, const std::vector<const FlowPoint*>& points, double scale) {
-  Matrix11d information = Matrix11d::Zero();
-  Vector11d gradient = Vector11d::Zero();
-  double total = 0;
+  Matrix6d information = Matrix6d::Zero();
+  Vector6d gradient = Vector6d::Zero();
   for (const FlowPoint* point : points) {
-    if (point->inverse_depth == 0) continue;
-    const Vector3d p = flow.homography * point->here.homogeneous() + point->inverse_depth * flow.parallax;
+    const Vector3d turned = flow.homography * point->here.homogeneous();
+    const Vector3d p = turned + point->inverse_depth * flow.parallax;
     if (!(p.z() > kMinZ)) continue;
     const Vector2d error = p.hnormalized() - point->there;
     const double share = error.dot(point->certainty * error) / (scale * scale);
     if (share >= 1) continue;
-    const double weight = (1 - share) * (1 - share);
-    const Eigen::Matrix2d certainty = weight * point->certainty;
+    const Eigen::Matrix2d weight = (1 - share) * (1 - share) * point->certainty;
     Eigen::Matrix<double, 2, 3> by_point;
     by_point << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
-    Eigen::Matrix<double, 2, 11> jacobian;
-    jacobian.block<2, 3>(0, 0) = by_point.col(0) * point->here.homogeneous().transpose();
-    jacobian.block<2, 3>(0, 3) = by_point.col(1) * point->here.homogeneous().transpose();
-    jacobian.block<2, 2>(0, 6) = by_point.col(2) * point->here.transpose();
-    jacobian.block<2, 3>(0, 8) = point->inverse_depth * by_point;
-    information += jacobian.transpose() * certainty * jacobian;
-    gradient += jacobian.transpose() * certainty * error;
-    total += weight;
+    Eigen::Matrix<double, 2, 6> jacobian;
+    jacobian << point->inverse_depth * by_point, -by_point * skew(turned);
+    information += jacobian.transpose() * weight * jacobian;
+    gradient += jacobian.transpose() * weight * error;
   }
-  // On a single plane homography and parallax are the same: then the homography has it all.
-  constexpr double kRidge = 1e-4;
-  information.diagonal().array() += 1e-9 * (1 + total);
-  information.diagonal().tail<3>().array() += kRidge * total;
-  gradient.tail<3>() += kRidge * total * flow.parallax;
-  const Vector11d step = information.ldlt().solve(gradient);
+  information.diagonal().array() += 1e-9 * (1 + information.trace());
+  const Vector6d step = information.ldlt().solve(gradient);
   if (!step.allFinite()) return;
-  for (int i = 0; i < 8; ++i) flow.homography(i / 3, i % 3) -= step(i);
-  flow.parallax -= step.tail<3>();
+  flow.parallax -= step.head<3>();
+  flow.homography = rotation_exp(-step.tail<3>()).toRotationMatrix() * flow.homography;
+}
+
+/// The rotation that is nearest to a homography.
+Matrix3d nearest_rotation(const Matrix3d& homography) {
+  const Eigen::JacobiSVD<Matrix3d> svd(homography, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
+  if (rotation.determinant() < 0) rotation = Matrix3d::Identity();
+  return rotation;
 }
 
 /// What a homography alone explains may be little: the scale begins wide and narrows as parallax is found.
 StaticFlow refined(StaticFlow flow, const std::vector<const FlowPoint*>& points, double threshold) {
+  flow.homography = nearest_rotation(flow.homography);
   for (const double scale : {16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 3.0, 3.0}) improve(flow, points, scale * threshold);
   return flow;
 }

@@ -19,8 +19,8 @@ struct FlowPoint {
 
 /// How the static part of a frame moves to another frame: a homography, and its error for what is not on its
 /// plane. With x homogeneous, x_there ~ homography x_here + inverse_depth * parallax: plane and parallax (Irani
-/// and Anandan, PAMI 1998), with the plane at infinity. The homography is free, so that it takes in a rolling
-/// shutter as well.
+/// and Anandan, PAMI 1998), with the plane at infinity, where the homography is a rotation. A free homography
+/// would take in any plane there is, and leave the parallax to a near thing that moves.
 struct StaticFlow {
   Eigen::Matrix3d homography = Eigen::Matrix3d::Identity();
   Eigen::Vector3d parallax = Eigen::Vector3d::Zero();  ///< [m]
@@ -34,7 +34,7 @@ struct StaticFlow {
 };
 
 /// Fits the static flow to the usable points: RANSAC over homographies of four points (Fischler and Bolles,
-/// CACM 1981), then Gauss-Newton with a redescending weight over homography and parallax.
+/// CACM 1981), then Gauss-Newton with a redescending weight (Tukey) over rotation and parallax.
 /// @param threshold  residuals below belong to the static part, in units of x / z
 /// @param seed       of the random choices
 /// @param guess      where Gauss-Newton begins, too: the flow of the frame before
