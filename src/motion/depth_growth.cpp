@@ -103,18 +103,23 @@ std::vector<std::uint8_t> grow_in_depth(int width, int height, const std::vector
   return moving;
 }
 
-void drop_unsupported(int width, int height, const std::vector<GrowthSeed>& seeds, int min_seeds,
-                      std::vector<std::uint8_t>& cells) {
+void keep_patches(int width, int height, const std::vector<GrowthSeed>& seeds,
+                  const std::vector<std::uint8_t>& confirmed,
+                  const std::function<bool(const MovingPatch&)>& is_wanted, std::vector<std::uint8_t>& cells) {
   const cv::Mat mask(height, width, CV_8UC1, cells.data());
   cv::Mat labels;
   const int count = cv::connectedComponents(mask, labels, 8, CV_32S);
-  std::vector<int> supporters(static_cast<std::size_t>(count), 0);
+  std::vector<MovingPatch> patches(static_cast<std::size_t>(count));
   const int* label = labels.ptr<int>();
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (seeds[i] == GrowthSeed::moving) ++supporters[static_cast<std::size_t>(label[i])];
+    MovingPatch& patch = patches[static_cast<std::size_t>(label[i])];
+    ++patch.cells;
+    patch.moving_seeds += seeds[i] == GrowthSeed::moving ? 1 : 0;
+    patch.resting_seeds += seeds[i] == GrowthSeed::resting ? 1 : 0;
+    patch.confirmed += confirmed[i] != 0 ? 1 : 0;
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (supporters[static_cast<std::size_t>(label[i])] < min_seeds) cells[i] = 0;
+    if (cells[i] != 0 && !is_wanted(patches[static_cast<std::size_t>(label[i])])) cells[i] = 0;
   }
 }
 

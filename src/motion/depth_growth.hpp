@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace stdc {
@@ -31,8 +32,17 @@ std::vector<GrowthSeed> keep_majority(int width, int height, const std::vector<f
 std::vector<std::uint8_t> grow_in_depth(int width, int height, const std::vector<float>& depth,
                                         const std::vector<GrowthSeed>& seeds, const DepthGrowth& settings);
 
-/// Takes out the connected patches of cells that hold fewer moving seeds than `min_seeds`.
-void drop_unsupported(int width, int height, const std::vector<GrowthSeed>& seeds, int min_seeds,
-                      std::vector<std::uint8_t>& cells);
+/// What is in a connected patch of cells.
+struct MovingPatch {
+  int cells = 0, moving_seeds = 0, resting_seeds = 0;
+  int confirmed = 0;  ///< cells that are in `confirmed`, too
+};
+
+/// Takes out the patches (of 8-neighbours) that a judge does not want.
+/// @param confirmed  of each cell
+/// @param cells      of each cell: not 0 = in a patch
+void keep_patches(int width, int height, const std::vector<GrowthSeed>& seeds,
+                  const std::vector<std::uint8_t>& confirmed,
+                  const std::function<bool(const MovingPatch&)>& is_wanted, std::vector<std::uint8_t>& cells);
 
 }  // namespace stdc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/cell_mask.hpp"
 #include "motion/flow_corner.hpp"
@@ -66,9 +67,7 @@ std::vector<LandmarkId> FlowMotion::observe(const MotionFrame& frame, const Smal
     last_flow_ = flow.value_or(StaticFlow());
     if (flow) {
       judge(*flow, threshold, corners);
-      const std::vector<GrowthSeed> known = seeds(small, corners);
-      moving_ = grow_in_depth(small.width(), small.height(), small.depth, known, {.reach = 40});
-      drop_unsupported(small.width(), small.height(), known, settings_.flow_min_points, moving_);
+      complete(small, corners, moved);
     }
   }
   recent_.push_back(small);
@@ -118,14 +117,30 @@ void FlowMotion::judge(const StaticFlow& flow, double threshold, std::vector<Cor
   }
 }
 
-std::vector<GrowthSeed> FlowMotion::seeds(const SmallFrame& now, const std::vector<Corner>& corners) const {
+/// From points to regions.
+void FlowMotion::complete(const SmallFrame& now, const std::vector<Corner>& corners,
+                          const std::vector<std::uint8_t>& moved) {
   constexpr int kReach = 10, kMinSame = 2;  // [cells]; others that confirm a moving point
-  std::vector<GrowthSeed> result(now.depth.size(), GrowthSeed::none);
+  constexpr float kMinConfirmed = 0.3F;     // share of a region
+  const int width = now.width(), height = now.height();
+  std::vector<GrowthSeed> all(now.depth.size(), GrowthSeed::none);
   for (const Corner& corner : corners) {
-    result[static_cast<std::size_t>(corner.at.y * now.width() + corner.at.x)] =
+    all[static_cast<std::size_t>(corner.at.y * width + corner.at.x)] =
         corner.moves ? GrowthSeed::moving : GrowthSeed::resting;
   }
-  return keep_majority(now.width(), now.height(), now.depth, result, kReach, kMinSame);
+  const std::vector<GrowthSeed> kept = keep_majority(width, height, now.depth, all, kReach, kMinSame);
+  std::vector<std::uint8_t> cells = grow_in_depth(width, height, now.depth, kept, {.reach = 40});
+  std::vector<std::uint8_t> confirmed = moved;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) confirmed[i] |= candidates_[i];
+  candidates_ = cells;
+  keep_patches(
+      width, height, all, confirmed,
+      [&](const MovingPatch& patch) {
+        return patch.moving_seeds >= std::max(settings_.flow_min_points, 2 * patch.resting_seeds) &&
+               static_cast<float>(patch.confirmed) >= kMinConfirmed * static_cast<float>(patch.cells);
+      },
+      cells);
+  moving_ = std::move(cells);
 }
 
 cv::Mat FlowMotion::mask() const {

@@ -36,8 +36,9 @@ namespace stdc {
 ///   former stay dynamic down to half the threshold.
 /// - The frames compared are `flow_lag` apart, else what walks slowly stays below the threshold.
 /// - What a thing is without a segmenter: dynamic and static points grow along the surfaces of the depth image,
-///   see grow_in_depth(), and a connected region with `flow_min_points` dynamic points is one. A point needs
-///   others beside it on the same surface that say the same.
+///   see grow_in_depth(), and a connected region with `flow_min_points` dynamic points, twice as many as static
+///   ones, that was there a frame ago is one. A point needs others beside it on the same surface that say the
+///   same.
 ///
 /// Needs no pose. Without any depth it finds nothing: parallax could not be told from motion. What covers most of
 /// the points as it enters the view between two frames is taken for the static part, as in the papers.
@@ -66,13 +67,15 @@ class FlowMotion : public MotionDetector {
                                      const std::vector<std::uint8_t>& segmented) const;
   Eigen::Vector2d ray_of(const Eigen::Vector2f& cell, int scale) const;
   void judge(const StaticFlow& flow, double threshold, std::vector<Corner>& corners) const;
-  std::vector<GrowthSeed> seeds(const SmallFrame& now, const std::vector<Corner>& corners) const;
+  void complete(const SmallFrame& now, const std::vector<Corner>& corners,
+                const std::vector<std::uint8_t>& moved);
 
   Camera camera_;
   MotionSettings settings_;
   std::deque<SmallFrame> recent_;     ///< the oldest first
   StaticFlow last_flow_;
   std::vector<std::uint8_t> moving_;  ///< of each cell of the last frame
+  std::vector<std::uint8_t> candidates_;  ///< before regions were confirmed
   int scale_ = 1;
   cv::Mat depth_;  ///< of the last frame
 };

@@ -51,7 +51,7 @@ struct MotionSettings {
   STDC_SETTING(double, flow_threshold, 1, "px", 0.1, 20,
                "flow: a point that is off the motion of the static part by more is dynamic");
   STDC_SETTING(int, flow_lag, 3, "frames", 1, 10, "flow: distance of the two frames that are compared");
-  STDC_SETTING(int, flow_min_points, 3, "count", 1, 1000, "flow: dynamic points that make a region");
+  STDC_SETTING(int, flow_min_points, 5, "count", 1, 1000, "flow: dynamic points that make a region");
   STDC_SETTING(int, flow_seed, 1, "", 0, 1e9, "flow: seed of RANSAC");
 };
 

@@ -79,7 +79,10 @@ std::vector<LandmarkId> MultiViewMotion::observe(const MotionFrame& frame, const
 void MultiViewMotion::find_moving(const DepthGrid& grid, const Pose& cam_from_world, MapId map) {
   const std::vector<GrowthSeed> known = seeds(grid, cam_from_world, map);
   moving_ = grow_in_depth(geometry_.width(), geometry_.height(), grid.depth, known, {.reach = 40});
-  drop_unsupported(geometry_.width(), geometry_.height(), known, settings_.multi_view_min_points, moving_);
+  const auto is_wanted = [&](const MovingPatch& patch) {
+    return patch.moving_seeds >= settings_.multi_view_min_points;
+  };
+  keep_patches(geometry_.width(), geometry_.height(), known, moving_, is_wanted, moving_);
 }
 
 std::vector<GrowthSeed> MultiViewMotion::seeds(const DepthGrid& grid, const Pose& cam_from_world,

@@ -15,7 +15,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kMinZ = 0.1;
+constexpr double kMinZ = 0.1, kShutterPrior = 1e-4;
+using Vector9d = Eigen::Matrix<double, 9, 1>;
 
 /// The homography of four points; identity of scale where the last entry is 1. False if three are in line.
 bool solve_homography(const std::array<const FlowPoint*, 4>& points, Matrix3d& homography) {
@@ -64,10 +65,10 @@ StaticFlow best_homography(const std::vector<const FlowPoint*>& points, double t
 
 /// One step of Gauss-Newton with Tukey's weight.
 void improve(StaticFlow& flow, const std::vector<const FlowPoint*>& points, double scale) {
-  Matrix6d information = Matrix6d::Zero();
-  Vector6d gradient = Vector6d::Zero();
+  Eigen::Matrix<double, 9, 9> information = Eigen::Matrix<double, 9, 9>::Zero();
+  Vector9d gradient = Vector9d::Zero();
   for (const FlowPoint* point : points) {
-    const Vector3d turned = flow.homography * point->here.homogeneous();
+    const Vector3d turned = flow.homography * (point->here.homogeneous() + flow.shutter_shift(point->here));
     const Vector3d p = turned + point->inverse_depth * flow.parallax;
     if (!(p.z() > kMinZ)) continue;
     const Vector2d error = p.hnormalized() - point->there;
@@ -76,16 +77,22 @@ void improve(StaticFlow& flow, const std::vector<const FlowPoint*>& points, doub
     const Eigen::Matrix2d weight = (1 - share) * (1 - share) * point->certainty;
     Eigen::Matrix<double, 2, 3> by_point;
     by_point << 1 / p.z(), 0, -p.x() / (p.z() * p.z()), 0, 1 / p.z(), -p.y() / (p.z() * p.z());
-    Eigen::Matrix<double, 2, 6> jacobian;
-    jacobian << point->inverse_depth * by_point, -by_point * skew(turned);
+    Eigen::Matrix<double, 2, 9> jacobian;
+    jacobian << point->inverse_depth * by_point, -by_point * skew(turned),
+        -point->here.y() * by_point * flow.homography * skew(point->here.homogeneous());
     information += jacobian.transpose() * weight * jacobian;
     gradient += jacobian.transpose() * weight * error;
   }
+  // Shutters are quick: what they do to an image is little.
+  const double ridge = kShutterPrior * information.trace();
   information.diagonal().array() += 1e-9 * (1 + information.trace());
-  const Vector6d step = information.ldlt().solve(gradient);
+  information.diagonal().tail<3>().array() += ridge;
+  gradient.tail<3>() += ridge * flow.shutter;
+  const Vector9d step = information.ldlt().solve(gradient);
   if (!step.allFinite()) return;
   flow.parallax -= step.head<3>();
-  flow.homography = rotation_exp(-step.tail<3>()).toRotationMatrix() * flow.homography;
+  flow.homography = rotation_exp(-step.segment<3>(3)).toRotationMatrix() * flow.homography;
+  flow.shutter -= step.tail<3>();
 }
 
 /// The rotation that is nearest to a homography.
@@ -106,7 +113,7 @@ StaticFlow refined(StaticFlow flow, const std::vector<const FlowPoint*>& points,
 }  // namespace
 
 bool StaticFlow::predict(const Vector2d& here, double inverse_depth, Vector2d& there) const {
-  const Vector3d p = homography * here.homogeneous() + inverse_depth * parallax;
+  const Vector3d p = homography * (here.homogeneous() + shutter_shift(here)) + inverse_depth * parallax;
   if (!(p.z() > kMinZ)) return false;
   there = p.hnormalized();
   return true;

@@ -24,8 +24,13 @@ struct FlowPoint {
 struct StaticFlow {
   Eigen::Matrix3d homography = Eigen::Matrix3d::Identity();
   Eigen::Vector3d parallax = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d shutter = Eigen::Vector3d::Zero();  ///< rotation per y / z, of a rolling shutter [rad]
   double sigma = 0;  ///< of the points that agree, robust, as residual()
 
+  /// By how much the rows of a rolling shutter turn a ray.
+  Eigen::Vector3d shutter_shift(const Eigen::Vector2d& here) const {
+    return here.y() * shutter.cross(here.homogeneous());
+  }
   /// Where a point goes. False if behind the camera.
   bool predict(const Eigen::Vector2d& here, double inverse_depth, Eigen::Vector2d& there) const;
   /// How far a point is from where it should be, in units of x / z: from the part of its epipolar line that its
