@@ -110,10 +110,10 @@ Eigen::Vector2d FlowMotion::ray_of(const Eigen::Vector2f& cell, int scale) const
 }
 
 void FlowMotion::judge(const StaticFlow& flow, double threshold, std::vector<Corner>& corners) const {
-  constexpr double kNoise = 6;  // medians
+  constexpr double kNoise = 6, kStay = 0.7;  // medians; what moved needs less to move on
   const double limit = std::max(threshold, kNoise * flow.sigma);
   for (Corner& corner : corners) {
-    corner.moves = flow.residual(corner.flow) > (corner.moved ? 0.5 * limit : limit);
+    corner.moves = flow.residual(corner.flow) > (corner.moved ? kStay * limit : limit);
   }
 }
 

@@ -33,7 +33,7 @@ namespace stdc {
 /// - Error that is left (blur, a rolling shutter) is measured on the points that agree: the threshold is never
 ///   below six times their median distance.
 /// - Points that were dynamic a frame ago or that a segmenter calls dynamic have no say in what is static. The
-///   former stay dynamic down to half the threshold.
+///   former stay dynamic down to 0.7 of the threshold.
 /// - The frames compared are `flow_lag` apart, else what walks slowly stays below the threshold.
 /// - What a thing is without a segmenter: dynamic and static points grow along the surfaces of the depth image,
 ///   see grow_in_depth(), and a connected region with `flow_min_points` dynamic points, twice as many as static

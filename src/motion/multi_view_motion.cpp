@@ -116,7 +116,7 @@ std::vector<GrowthSeed> MultiViewMotion::seeds(const DepthGrid& grid, const Pose
   for (std::size_t i = 0; i < votes.size(); ++i) {
     if (votes[i] != 0) result[i] = votes[i] > 0 ? GrowthSeed::moving : GrowthSeed::resting;
   }
-  constexpr int kReach = 6, kMinSame = 1;  // [cells]; others that confirm a dynamic point
+  constexpr int kReach = 10, kMinSame = 1;  // [cells]; others that confirm a dynamic point
   return keep_majority(geometry_.width(), geometry_.height(), grid.depth, result, kReach, kMinSame);
 }
 
