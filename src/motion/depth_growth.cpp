@@ -105,7 +105,8 @@ std::vector<std::uint8_t> grow_in_depth(int width, int height, const std::vector
 
 void keep_patches(int width, int height, const std::vector<GrowthSeed>& seeds,
                   const std::vector<std::uint8_t>& confirmed,
-                  const std::function<bool(const MovingPatch&)>& is_wanted, std::vector<std::uint8_t>& cells) {
+                  const std::function<bool(const MovingPatch&)>& is_wanted,
+                  std::vector<std::uint8_t>& cells) {
   const cv::Mat mask(height, width, CV_8UC1, cells.data());
   cv::Mat labels;
   const int count = cv::connectedComponents(mask, labels, 8, CV_32S);

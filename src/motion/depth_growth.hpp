@@ -11,10 +11,10 @@ enum class GrowthSeed : std::uint8_t { none, resting, moving };
 
 /// How far regions grow.
 struct DepthGrowth {
-  int reach = 24;                ///< [cells] along the surface
-  float max_difference = 0.5F;   ///< between a cell and the seed that it belongs to [m]
-  float step = 0.03F;            ///< cells beside each other differ by no more than this [m]...
-  float step_growth = 0.012F;    ///< ...and by this times z^2 more [1/m]
+  int reach = 24;               ///< [cells] along the surface
+  float max_difference = 0.5F;  ///< between a cell and the seed that it belongs to [m]
+  float step = 0.03F;           ///< cells beside each other differ by no more than this [m]...
+  float step_growth = 0.012F;   ///< ...and by this times z^2 more [1/m]
 };
 
 /// Takes out the seeds that those around them contradict: on the same surface, up to `reach` cells away both

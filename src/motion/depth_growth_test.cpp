@@ -63,7 +63,8 @@ TEST_F(DepthGrowthTest, KeepsThePatchesThatAreWanted) {
   std::vector<std::uint8_t> cells(depth.size(), 0);
   for (const int x : {3, 4, 20}) cells[cell(x, 5)] = 1;
   seeds[cell(4, 5)] = GrowthSeed::moving;
-  keep_patches(kWidth, kHeight, seeds, cells, [](const MovingPatch& patch) { return patch.moving_seeds > 0; }, cells);
+  keep_patches(
+      kWidth, kHeight, seeds, cells, [](const MovingPatch& patch) { return patch.moving_seeds > 0; }, cells);
   EXPECT_EQ(cells[cell(3, 5)], 1);
   EXPECT_EQ(cells[cell(20, 5)], 0);
 }

@@ -13,16 +13,17 @@
 
 namespace stdc {
 
-/// Motion method `flow`: points that do not move as the static part does, by optical flow between frames. After
-/// Yu et al., 'DS-SLAM: A Semantic Visual SLAM towards Dynamic Environments', IROS 2018, section III-C (moving
-/// consistency check), and Long et al., 'PSPNet-SLAM: A Semantic SLAM Detect Dynamic Object by Pyramid Scene
-/// Parsing Network', IEEE Access 2021:
+/// Motion method `flow`: points that do not move as the static part does, by optical flow between frames.
+/// After Yu et al., 'DS-SLAM: A Semantic Visual SLAM towards Dynamic Environments', IROS 2018, section III-C
+/// (moving consistency check), and Long et al., 'PSPNet-SLAM: A Semantic SLAM Detect Dynamic Object by
+/// Pyramid Scene Parsing Network', IEEE Access 2021:
 ///
 /// - Corners are followed by sparse pyramidal Lucas-Kanade flow; those at the edge of the image or that look
 ///   different are left out (DS-SLAM); see follow_patch().
 /// - The camera's motion between the two frames is compensated by a homography of the static part, found by
 ///   RANSAC, whose own error is compensated (PSPNet-SLAM); see StaticFlow.
-/// - A point farther than a threshold, 1 px, from where it should be is dynamic: from its epipolar line (DS-SLAM)
+/// - A point farther than a threshold, 1 px, from where it should be is dynamic: from its epipolar line
+/// (DS-SLAM)
 ///   where its depth is not known, otherwise from the one place on it that the depth leaves.
 /// - A thing with enough dynamic points is dynamic as a whole (DS-SLAM: a segmented person with more than a
 ///   number of them).
@@ -30,18 +31,22 @@ namespace stdc {
 /// Where the papers are silent, this was chosen:
 /// - How the error of the homography is modelled: as parallax, in proportion to inverse depth. Depth tells
 ///   parallax from motion along an epipolar line, which an epipolar check alone cannot see.
-/// - Error that is left (blur, a rolling shutter) is measured on the points that agree: the threshold is never
+/// - Error that is left (blur, a rolling shutter) is measured on the points that agree: the threshold is
+/// never
 ///   below six times their median distance.
-/// - Points that were dynamic a frame ago or that a segmenter calls dynamic have no say in what is static. The
+/// - Points that were dynamic a frame ago or that a segmenter calls dynamic have no say in what is static.
+/// The
 ///   former stay dynamic down to 0.7 of the threshold.
 /// - The frames compared are `flow_lag` apart, else what walks slowly stays below the threshold.
-/// - What a thing is without a segmenter: dynamic and static points grow along the surfaces of the depth image,
-///   see grow_in_depth(), and a connected region with `flow_min_points` dynamic points, twice as many as static
-///   ones, that was there a frame ago is one. A point needs others beside it on the same surface that say the
-///   same.
+/// - What a thing is without a segmenter: dynamic and static points grow along the surfaces of the depth
+/// image,
+///   see grow_in_depth(), and a connected region with `flow_min_points` dynamic points, twice as many as
+///   static ones, that was there a frame ago is one. A point needs others beside it on the same surface that
+///   say the same.
 ///
-/// Needs no pose. Without any depth it finds nothing: parallax could not be told from motion. What covers most of
-/// the points as it enters the view between two frames is taken for the static part, as in the papers.
+/// Needs no pose. Without any depth it finds nothing: parallax could not be told from motion. What covers
+/// most of the points as it enters the view between two frames is taken for the static part, as in the
+/// papers.
 class FlowMotion : public MotionDetector {
  public:
   /// Throws Error if a setting is out of range.
@@ -72,9 +77,9 @@ class FlowMotion : public MotionDetector {
 
   Camera camera_;
   MotionSettings settings_;
-  std::deque<SmallFrame> recent_;     ///< the oldest first
+  std::deque<SmallFrame> recent_;  ///< the oldest first
   StaticFlow last_flow_;
-  std::vector<std::uint8_t> moving_;  ///< of each cell of the last frame
+  std::vector<std::uint8_t> moving_;      ///< of each cell of the last frame
   std::vector<std::uint8_t> candidates_;  ///< before regions were confirmed
   int scale_ = 1;
   cv::Mat depth_;  ///< of the last frame

@@ -15,7 +15,8 @@ using test::RoomWatch;
 
 /// A camera that walks sideways past the pillar: strong parallax.
 Pose walking(int frame) {
-  return Pose(rotation_exp({0, -0.01 * frame, 0}), Eigen::Vector3d(0.02 * frame, 0.003 * frame, 0.01 * frame)).inverse();
+  return Pose(rotation_exp({0, -0.01 * frame, 0}), Eigen::Vector3d(0.02 * frame, 0.003 * frame, 0.01 * frame))
+      .inverse();
 }
 
 class FlowMotionTest : public ::testing::Test {

@@ -12,8 +12,8 @@ constexpr int kBin = 3;  // side of a square [cells]
 /// The best cell of a square; -1: none will do.
 int best_cell(const GridGeometry& geometry, const DepthGrid& grid, const std::vector<std::uint8_t>& dynamic,
               int left, int top) {
-  constexpr int kMinContrast = 8;       // [grey levels], both ways together
-  constexpr float kMaxSpread = 0.04F;   // of the depths around, as a share of them
+  constexpr int kMinContrast = 8;      // [grey levels], both ways together
+  constexpr float kMaxSpread = 0.04F;  // of the depths around, as a share of them
   const int width = geometry.width();
   int best = -1, contrast = kMinContrast - 1;
   for (int y = top; y < top + kBin; ++y) {
@@ -22,8 +22,8 @@ int best_cell(const GridGeometry& geometry, const DepthGrid& grid, const std::ve
       const auto i = static_cast<std::size_t>(cell), stride = static_cast<std::size_t>(width);
       if (grid.depth[i] == 0 || dynamic[i] != 0) continue;
       if (grid.far[i] - grid.near[i] > kMaxSpread * grid.depth[i]) continue;
-      const int here =
-          std::abs(grid.grey[i + 1] - grid.grey[i - 1]) + std::abs(grid.grey[i + stride] - grid.grey[i - stride]);
+      const int here = std::abs(grid.grey[i + 1] - grid.grey[i - 1]) +
+                       std::abs(grid.grey[i + stride] - grid.grey[i - stride]);
       if (here <= contrast) continue;
       contrast = here;
       best = cell;

@@ -16,13 +16,13 @@ struct KeyframePoints {
   int frame = 0;
   KeyframeId reference;  ///< it moves with this keyframe...
   Pose keyframe_from_reference;
-  Pose keyframe_from_world;  ///< ...and is here, as known now
-  MapId map;                 ///< as known now
+  Pose keyframe_from_world;             ///< ...and is here, as known now
+  MapId map;                            ///< as known now
   std::vector<Eigen::Vector3f> points;  ///< in its camera frame [m]
 };
 
-/// Points of a frame that can be told from those around them and have a certain depth: of each square of 3 x 3
-/// cells the one with most contrast.
+/// Points of a frame that can be told from those around them and have a certain depth: of each square of 3 x
+/// 3 cells the one with most contrast.
 /// @param grid     with grey values
 /// @param dynamic  of each cell: not 0 = no point may come from there
 /// @returns in the camera frame [m]

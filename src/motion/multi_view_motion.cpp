@@ -13,17 +13,16 @@ namespace {
 /// Where a frame sees the points of a keyframe.
 struct PointProjection {
   Eigen::Matrix3f rotation;
-  Eigen::Vector3f translation, other_centre;  // of the keyframe's camera, in the frame
-  float min_cosine;                           // of the parallax
+  Eigen::Vector3f translation;  // also the centre of the keyframe's camera, in the frame
+  float min_cosine;             // of the parallax
 
   PointProjection(const Pose& frame_from_keyframe, double max_parallax)
       : rotation(frame_from_keyframe.rotation_matrix().cast<float>()),
         translation(frame_from_keyframe.translation.cast<float>()),
-        other_centre(translation),
         min_cosine(static_cast<float>(std::cos(max_parallax))) {}
 
   bool is_parallax_small(const Eigen::Vector3f& point) const {
-    const Eigen::Vector3f other = point - other_centre;
+    const Eigen::Vector3f other = point - translation;
     return point.dot(other) >= min_cosine * point.norm() * other.norm();
   }
 };
@@ -60,15 +59,14 @@ std::vector<LandmarkId> MultiViewMotion::observe(const MotionFrame& frame, const
   last_.reset();
   std::fill(moving_.begin(), moving_.end(), std::uint8_t{0});
   if (!frame.cam_from_world) return {};
-  DepthGrid grid =
-      sample_grid(geometry_, camera_, frame.motion, frame.depth, settings_.time_tolerance);
+  DepthGrid grid = sample_grid(geometry_, camera_, frame.motion, frame.depth, settings_.time_tolerance);
   grid.grey = sample_grey(geometry_, small.levels[0]);
   find_moving(grid, *frame.cam_from_world, frame.map);
   if (!frame.trusted) return {};
   std::vector<std::uint8_t> dynamic = cells_of_mask(frame.segmented, geometry_);
   for (std::size_t i = 0; i < dynamic.size(); ++i) dynamic[i] |= moving_[i];
-  last_ = KeyframePoints{frame.number, frame.reference, frame.frame_from_reference, *frame.cam_from_world,
-                         frame.map,    choose_points(geometry_, grid, dynamic)};
+  last_ = KeyframePoints{frame.number,          frame.reference, frame.frame_from_reference,
+                         *frame.cam_from_world, frame.map,       choose_points(geometry_, grid, dynamic)};
   // A map that was loaded comes without images: where it has none, frames take the place of keyframes.
   if (frame.is_keyframe || keyframes_.overlapping(geometry_, *frame.cam_from_world, frame.map, 1).empty()) {
     keyframes_.add(*last_);

@@ -13,8 +13,8 @@
 namespace stdc {
 
 /// Motion method `multi-view`: keypoints of earlier keyframes are projected into the frame; where it shows
-/// something that is much nearer, that is dynamic. After Bescos, Facil, Civera and Neira, 'DynaSLAM: Tracking,
-/// Mapping, and Inpainting in Dynamic Scenes', RA-L 2018, section III-C:
+/// something that is much nearer, that is dynamic. After Bescos, Facil, Civera and Neira, 'DynaSLAM:
+/// Tracking, Mapping, and Inpainting in Dynamic Scenes', RA-L 2018, section III-C:
 ///
 /// - The keyframes that overlap the frame most are used, five of them (`multi_view_keyframes`).
 /// - A point that is seen under a parallax of more than 30 degrees (`multi_view_parallax`) may be hidden and
@@ -30,7 +30,8 @@ namespace stdc {
 /// - Keypoints: the cells with most contrast of a grid of 3 x 3 cells of about 4 px, on one surface.
 /// - 'Taking into account the reprojection error': z' is the farthest depth of the cells around.
 /// - Depth varies much: the standard deviation in 5 x 5 cells is above 0.15 m.
-/// - Several points in one place: the majority counts, among them those whose depth is as projected; else what
+/// - Several points in one place: the majority counts, among them those whose depth is as projected; else
+/// what
 ///   a static thing hides from a new side would be dynamic though other keyframes know that thing.
 /// - How far regions grow: see grow_in_depth(). Points whose depth is as projected hold them up, so that they
 ///   do not run along the floor. A region needs `multi_view_min_points` dynamic points.

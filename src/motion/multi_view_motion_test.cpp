@@ -81,7 +81,8 @@ TEST_F(MultiViewMotionTest, SameCallsSameBytes) {
   RoomWatch other_watch(other, room.camera);
   for (int i = 0; i < 5; ++i) {
     const Pose pose = looking_from(0.05 * i, 0, 0);
-    const auto shot = room.look(pose, i == 0 ? std::nullopt : std::optional(Eigen::Vector3d(0.1 * i, 0.1, 2)));
+    const auto shot =
+        room.look(pose, i == 0 ? std::nullopt : std::optional(Eigen::Vector3d(0.1 * i, 0.1, 2)));
     const cv::Mat mask = watch.show(shot, pose, i % 2 == 0), same = other_watch.show(shot, pose, i % 2 == 0);
     EXPECT_EQ(cv::countNonZero(mask != same), 0);
   }

@@ -23,7 +23,8 @@ bool solve_homography(const std::array<const FlowPoint*, 4>& points, Matrix3d& h
   Eigen::Matrix<double, 8, 8> system;
   Eigen::Matrix<double, 8, 1> right;
   for (int i = 0; i < 4; ++i) {
-    const Vector2d &p = points[static_cast<std::size_t>(i)]->here, &q = points[static_cast<std::size_t>(i)]->there;
+    const Vector2d &p = points[static_cast<std::size_t>(i)]->here,
+                   &q = points[static_cast<std::size_t>(i)]->there;
     system.row(2 * i) << p.x(), p.y(), 1, 0, 0, 0, -q.x() * p.x(), -q.x() * p.y();
     system.row(2 * i + 1) << 0, 0, 0, p.x(), p.y(), 1, -q.y() * p.x(), -q.y() * p.y();
     right.segment<2>(2 * i) = q;
@@ -106,7 +107,8 @@ Matrix3d nearest_rotation(const Matrix3d& homography) {
 /// What a homography alone explains may be little: the scale begins wide and narrows as parallax is found.
 StaticFlow refined(StaticFlow flow, const std::vector<const FlowPoint*>& points, double threshold) {
   flow.homography = nearest_rotation(flow.homography);
-  for (const double scale : {16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 3.0, 3.0}) improve(flow, points, scale * threshold);
+  for (const double scale : {16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 3.0, 3.0})
+    improve(flow, points, scale * threshold);
   return flow;
 }
 
@@ -122,7 +124,8 @@ bool StaticFlow::predict(const Vector2d& here, double inverse_depth, Vector2d& t
 double StaticFlow::residual(const FlowPoint& point) const {
   constexpr double kBehind = 1e3;
   Vector2d farthest, nearest;
-  if (!predict(point.here, point.least, farthest) || !predict(point.here, point.most, nearest)) return kBehind;
+  if (!predict(point.here, point.least, farthest) || !predict(point.here, point.most, nearest))
+    return kBehind;
   const Vector2d line = nearest - farthest, error = point.there - farthest;
   const double length = line.squaredNorm();
   const double along = length > 0 ? std::clamp(error.dot(line) / length, 0.0, 1.0) : 0;

@@ -57,7 +57,8 @@ RoomShot Room::look(const Pose& cam_from_world, const std::optional<Eigen::Vecto
       const int u = static_cast<int>(std::lround(hit.u / kTexel)) & 2047;
       const int v = static_cast<int>(std::lround(hit.v / kTexel)) & 2047;
       shot.grey.at<std::uint8_t>(y, x) = texture_.at<std::uint8_t>(v, u);
-      shot.depth.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(std::min(hit.depth, 13.0) * kUnitsPerMetre);
+      shot.depth.at<std::uint16_t>(y, x) =
+          static_cast<std::uint16_t>(std::min(hit.depth, 13.0) * kUnitsPerMetre);
       shot.mask.at<std::uint8_t>(y, x) = hit.box ? 255 : 0;
     }
   }

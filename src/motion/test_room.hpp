@@ -9,7 +9,8 @@
 #include "motion/motion_detector.hpp"
 #include "segmentation/propagation/mask_propagator.hpp"
 
-// A room for the tests of the motion methods: textured walls, a pillar close to the camera, and a box anywhere.
+// A room for the tests of the motion methods: textured walls, a pillar close to the camera, and a box
+// anywhere.
 
 namespace stdc::test {
 

@@ -24,8 +24,8 @@ struct AblationColumn {
   SegmentationOptions segmentation;
 };
 
-/// The five columns, then with `motion` those of the three motion methods. Throws Error for a setting that tells the columns apart, and for weights that none of
-/// them uses.
+/// The five columns, then with `motion` those of the three motion methods. Throws Error for a setting that
+/// tells the columns apart, and for weights that none of them uses.
 std::vector<AblationColumn> ablation_columns(const AblationOptions& options);
 
 }  // namespace stdc::app

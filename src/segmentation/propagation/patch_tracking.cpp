@@ -188,7 +188,8 @@ bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Ve
     if (found) now = scaled * size;
     if (!found && level == 0) return false;
   }
-  if (!search.looks_alike(to.levels[0], at, now) || !follow_back(from, to, at, now, same_surface)) return false;
+  if (!search.looks_alike(to.levels[0], at, now) || !follow_back(from, to, at, now, same_surface))
+    return false;
   flow = now;
   return true;
 }
