@@ -109,11 +109,14 @@ Eigen::Vector2d FlowMotion::ray_of(const Eigen::Vector2f& cell, int scale) const
   return {(ideal.x() - camera_.cx) / camera_.fx, (ideal.y() - camera_.cy) / camera_.fy};
 }
 
+/// The longer the flow, the more blur and the change of view spoil it.
 void FlowMotion::judge(const StaticFlow& flow, double threshold, std::vector<Corner>& corners) const {
-  constexpr double kNoise = 6, kStay = 0.7;  // medians; what moved needs less to move on
+  constexpr double kNoise = 4, kStay = 0.6;  // medians; what moved needs less to move on
+  constexpr double kShare = 0.05;            // of the flow's length
   const double limit = std::max(threshold, kNoise * flow.sigma);
   for (Corner& corner : corners) {
-    corner.moves = flow.residual(corner.flow) > (corner.moved ? kStay * limit : limit);
+    const double allowed = limit + kShare * (corner.flow.there - corner.flow.here).norm();
+    corner.moves = flow.residual(corner.flow) > (corner.moved ? kStay * allowed : allowed);
   }
 }
 

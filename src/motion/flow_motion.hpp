@@ -23,30 +23,26 @@ namespace stdc {
 /// - The camera's motion between the two frames is compensated by a homography of the static part, found by
 ///   RANSAC, whose own error is compensated (PSPNet-SLAM); see StaticFlow.
 /// - A point farther than a threshold, 1 px, from where it should be is dynamic: from its epipolar line
-/// (DS-SLAM)
-///   where its depth is not known, otherwise from the one place on it that the depth leaves.
+///   (DS-SLAM) where its depth is not known, otherwise from the part of it that the depth leaves.
 /// - A thing with enough dynamic points is dynamic as a whole (DS-SLAM: a segmented person with more than a
 ///   number of them).
 ///
 /// Where the papers are silent, this was chosen:
 /// - How the error of the homography is modelled: as parallax, in proportion to inverse depth. Depth tells
 ///   parallax from motion along an epipolar line, which an epipolar check alone cannot see.
-/// - Error that is left (blur, a rolling shutter) is measured on the points that agree: the threshold is
-/// never
-///   below six times their median distance.
+/// - The error that is left (blur, changes of view) is measured on the points that agree: the threshold is
+///   never below four times their median distance, and a twentieth of a point's flow is added.
 /// - Points that were dynamic a frame ago or that a segmenter calls dynamic have no say in what is static.
-/// The
-///   former stay dynamic down to 0.7 of the threshold.
+///   The former stay dynamic down to 0.6 of the threshold.
 /// - The frames compared are `flow_lag` apart, else what walks slowly stays below the threshold.
 /// - What a thing is without a segmenter: dynamic and static points grow along the surfaces of the depth
-/// image,
-///   see grow_in_depth(), and a connected region with `flow_min_points` dynamic points, twice as many as
-///   static ones, that was there a frame ago is one. A point needs others beside it on the same surface that
-///   say the same.
+///   image, see grow_in_depth(), and a connected region with `flow_min_points` dynamic points, twice as many
+///   as static ones, that was there a frame ago is one. A point needs others beside it on the same surface
+///   that say the same.
 ///
 /// Needs no pose. Without any depth it finds nothing: parallax could not be told from motion. What covers
-/// most of the points as it enters the view between two frames is taken for the static part, as in the
-/// papers.
+/// most of the points when it begins to move is taken for the static part, as in the papers; what stops is
+/// static again.
 class FlowMotion : public MotionDetector {
  public:
   /// Throws Error if a setting is out of range.

@@ -30,9 +30,8 @@ namespace stdc {
 /// - Keypoints: the cells with most contrast of a grid of 3 x 3 cells of about 4 px, on one surface.
 /// - 'Taking into account the reprojection error': z' is the farthest depth of the cells around.
 /// - Depth varies much: the standard deviation in 5 x 5 cells is above 0.15 m.
-/// - Several points in one place: the majority counts, among them those whose depth is as projected; else
-/// what
-///   a static thing hides from a new side would be dynamic though other keyframes know that thing.
+/// - Several points in one place: the majority counts, among them those whose depth is as projected;
+///   else what a static thing hides from a new side would be dynamic though other keyframes know that thing.
 /// - How far regions grow: see grow_in_depth(). Points whose depth is as projected hold them up, so that they
 ///   do not run along the floor. A region needs `multi_view_min_points` dynamic points.
 /// - Whatever changes by less than tau_z is not found: a board that slides in front of a wall near by, a
