@@ -23,6 +23,18 @@ constexpr std::array kColumns{
     ColumnName{"OS3+S+SRM+Q", "os3-s-srm-q"},
     ColumnName{"OS3+Q", "os3-q"},
 };
+/// With --motion: the whole of STDC-SLAM and a search for whatever moves.
+constexpr std::array kMotionColumns{
+    ColumnName{"STDC-SLAM+multi-view", "stdc-multi-view"},
+    ColumnName{"STDC-SLAM+flow", "stdc-flow"},
+    ColumnName{"STDC-SLAM+map", "stdc-map"},
+};
+
+std::vector<ColumnName> column_names(bool motion) {
+  std::vector<ColumnName> names(kColumns.begin(), kColumns.end());
+  if (motion) names.insert(names.end(), kMotionColumns.begin(), kMotionColumns.end());
+  return names;
+}
 
 AblationColumn make_column(const ColumnName& name, const AblationOptions& options,
                            const std::vector<std::string>& assignments) {
@@ -56,14 +68,15 @@ std::vector<AblationColumn> ablation_columns(const AblationOptions& options) {
                 "leave out one of the two");
   }
   std::vector<AblationColumn> plain, columns;
-  for (const ColumnName& name : kColumns) plain.push_back(make_column(name, options, {}));
+  const std::vector<ColumnName> names = column_names(options.motion);
+  for (const ColumnName& name : names) plain.push_back(make_column(name, options, {}));
   const std::set<std::string> differing = differing_settings(plain);
   for (const std::string& assignment : options.assignments) {
     if (!differing.contains(assignment.substr(0, assignment.find('=')))) continue;
     throw Error("--set " + assignment, "the columns differ in this setting, each has its own value",
                 "leave it out; --masks-from says where masks come from");
   }
-  for (const ColumnName& name : kColumns) columns.push_back(make_column(name, options, options.assignments));
+  for (const ColumnName& name : names) columns.push_back(make_column(name, options, options.assignments));
   return columns;
 }
 

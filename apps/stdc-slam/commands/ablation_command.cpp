@@ -116,12 +116,17 @@ Runs the five columns of Table 1 on each sequence:
   OS3+S+SRM     the masks are completed by depth                           (os3-s-srm)
   OS3+S+SRM+Q   and the improved quadtree selects: the whole STDC-SLAM     (os3-s-srm-q)
   OS3+Q         the improved quadtree, nothing rejected                    (os3-q)
+With --motion three more follow, the whole STDC-SLAM with a search by geometry for whatever moves:
+  STDC-SLAM+multi-view   keyframes against the frame, as DynaSLAM does     (stdc-multi-view)
+  STDC-SLAM+flow         optical flow, as PSPNet-SLAM and DS-SLAM do       (stdc-flow)
+  STDC-SLAM+map          the static scene against the frame, our own       (stdc-map)
 The percentage beside an error is the share of the frames that have a pose: an error over few frames is no
 small error.
 
 Examples:
   stdc-slam ablation walking-xyz walking-rpy
   stdc-slam ablation walking-xyz --masks-from masks --markdown
+  stdc-slam ablation walking-xyz --motion
   stdc-slam ablation walking-xyz --output results --set segmentation.pace=asynchronous)";
 
 }  // namespace
@@ -147,6 +152,7 @@ void add_ablation_command(CLI::App& app) {
                    "Change one setting in all columns; may be repeated, the last one counts")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command->add_flag("--motion", options->columns.motion, "Three more columns, one for each motion method");
   command->add_flag("--markdown", options->markdown, "Print tables in Markdown");
   command->add_flag("--quiet,-q", options->quiet, "No progress");
   command->footer(kFooter);

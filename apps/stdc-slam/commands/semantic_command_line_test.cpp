@@ -96,6 +96,19 @@ TEST_F(SemanticCommandLine, AblationFillsAllColumns) {
   }
 }
 
+TEST_F(SemanticCommandLine, AblationHasThreeMoreColumnsForMotion) {
+  make_sequence();
+  make_masks(12);
+  const Outcome outcome = call("ablation s --masks-from masks --motion --output o --quiet");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(content(folder_ / "o/ablation.json"));
+  EXPECT_EQ(json["s"].size(), 8U);
+  for (const char* title : {"STDC-SLAM+multi-view", "STDC-SLAM+flow", "STDC-SLAM+map"}) {
+    ASSERT_TRUE(json["s"].contains(title)) << title;
+    EXPECT_EQ(json["s"][title]["coverage"], 1) << title;
+  }
+}
+
 TEST_F(SemanticCommandLine, AblationRefusesSequencesWithoutTruth) {
   make_sequence(3);
   fs::remove(folder_ / "s/groundtruth.txt");

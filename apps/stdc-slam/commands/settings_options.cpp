@@ -14,7 +14,7 @@ void add_settings_options(CLI::App& command, SettingsOptions& options) {
   command.add_option(
       "--settings", options.file,
       "YAML file with settings (see: stdc-slam settings --yaml), or the name of one that ships: os3, os3-q, "
-      "os3-s, os3-s-srm, os3-s-srm-q");
+      "os3-s, os3-s-srm, os3-s-srm-q, stdc-flow, stdc-map, stdc-multi-view");
   command.add_option("--selection", options.selection, "Keypoint selection: improved or orb-slam3");
   command
       .add_option("--set", options.assignments,

@@ -127,6 +127,8 @@ TEST_F(UnusedOption, AblationRefusesBeforeAnyWork) {
                  "--set segmentation.refinement=on: the columns differ in this setting");
   expect_refusal("ablation s --output o --set features.selection=improved",
                  "--set features.selection=improved: ");
+  expect_refusal("ablation s --output o --motion --set motion.method=off",
+                 "--set motion.method=off: the columns differ");
   expect_refusal("ablation s --output o --masks-from masks --weights w",
                  "--weights: is of no use with --masks-from masks");
   expect_refusal("ablation s --output o --quiet --weights none.safetensors", "none.safetensors: ");

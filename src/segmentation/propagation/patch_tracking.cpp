@@ -27,8 +27,8 @@ float sum_of(Term&& term) {
 
 /// How much each pixel of a patch counts: 1 where the depth is that of the middle, little where it is
 /// missing, 0 on other surfaces and outside the image.
-void weigh(const SmallFrame& frame, cv::Point at, int level, Patch& weights) {
-  constexpr float kSameSurface = 0.25F, kUnknown = 0.3F;  // [m]; weight
+void weigh(const SmallFrame& frame, cv::Point at, int level, float same_surface, Patch& weights) {
+  constexpr float kUnknown = 0.3F;
   const float middle = frame.depth_at(at.x, at.y);
   const int step = 1 << level;
   for (int row = 0; row < kSide; ++row) {
@@ -41,7 +41,7 @@ void weigh(const SmallFrame& frame, cv::Point at, int level, Patch& weights) {
         continue;
       }
       const float depth = frame.depth_at(x, y);
-      out[i] = depth == 0 || middle == 0 ? kUnknown : (std::abs(depth - middle) < kSameSurface ? 1.0F : 0.0F);
+      out[i] = depth == 0 || middle == 0 ? kUnknown : (std::abs(depth - middle) < same_surface ? 1.0F : 0.0F);
     }
   }
 }
@@ -150,13 +150,14 @@ class PatchSearch {
   float total_ = 0;
 };
 
-bool follow_back(const SmallFrame& from, const SmallFrame& to, cv::Point at, const Vector2f& flow) {
+bool follow_back(const SmallFrame& from, const SmallFrame& to, cv::Point at, const Vector2f& flow,
+                 float same_surface) {
   constexpr float kReach = 2, kClose = 0.7F;  // [cells]
   const cv::Point there(static_cast<int>(std::lround(static_cast<float>(at.x) + flow.x())),
                         static_cast<int>(std::lround(static_cast<float>(at.y) + flow.y())));
   if (!to.contains(there.x, there.y)) return false;
   Patch weights;
-  weigh(to, there, 0, weights);
+  weigh(to, there, 0, same_surface, weights);
   PatchSearch search;
   Vector2f back = -flow;
   return search.make(to.levels[0], there, weights) &&
@@ -166,7 +167,8 @@ bool follow_back(const SmallFrame& from, const SmallFrame& to, cv::Point at, con
 
 }  // namespace
 
-bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Vector2f& flow) {
+bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Vector2f& flow,
+                  float same_surface) {
   constexpr float kReach = 4;  // [px of the level]
   Patch weights;
   PatchSearch search;
@@ -179,14 +181,15 @@ bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Ve
     const SmallImage &image = from.levels[static_cast<std::size_t>(level)],
                      &other = to.levels[static_cast<std::size_t>(level)];
     if (there.x >= image.width() || there.y >= image.height()) continue;
-    weigh(from, at, level, weights);
+    weigh(from, at, level, same_surface, weights);
     Vector2f scaled = now / size;
     const bool found = search.make(image, there, weights) &&
                        search.find(other, there, kReach, level == 0 ? kFine : kCoarse, scaled);
     if (found) now = scaled * size;
     if (!found && level == 0) return false;
   }
-  if (!search.looks_alike(to.levels[0], at, now) || !follow_back(from, to, at, now)) return false;
+  if (!search.looks_alike(to.levels[0], at, now) || !follow_back(from, to, at, now, same_surface))
+    return false;
   flow = now;
   return true;
 }

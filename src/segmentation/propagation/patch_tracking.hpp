@@ -13,7 +13,9 @@ namespace stdc {
 /// background, which moves differently. The patch is then followed back and must arrive where it started.
 /// @param at    cell of `from`, inside
 /// @param flow  from there [cells]; in: a guess, 0 if there is none; out: what was found
+/// @param same_surface  depths that differ from the middle's by less belong to its surface [m]
 /// @returns false if the patch shows too little, is not found again, or leaves the image
-bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Eigen::Vector2f& flow);
+bool follow_patch(const SmallFrame& from, const SmallFrame& to, cv::Point at, Eigen::Vector2f& flow,
+                  float same_surface = 0.25F);
 
 }  // namespace stdc
