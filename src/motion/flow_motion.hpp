@@ -51,9 +51,6 @@ class FlowMotion : public MotionDetector {
   void follow(const AtlasSnapshot&) override {}
   std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
                                   const std::vector<MaskTile>& tiles) override;
-  std::optional<double> agreement(const Pose&, MapId, const cv::Mat&, const cv::Mat&) const override {
-    return std::nullopt;
-  }
   cv::Mat mask() const override;
 
  private:

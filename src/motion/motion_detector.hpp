@@ -57,9 +57,11 @@ class MotionDetector {
   /// @param small     the frame, shrunk; of it the brightness
   /// @param depth     of the frame, as in RgbdImage
   /// @param expected  CV_8UC1, 255 = dynamic, or empty
-  virtual std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map,
-                                                 const SmallFrame& small, const cv::Mat& depth,
-                                                 const cv::Mat& expected) const = 0;
+  virtual std::optional<PoseAgreement> agreement(const Pose& /*cam_from_world*/, MapId /*map*/,
+                                                 const SmallFrame& /*small*/, const cv::Mat& /*depth*/,
+                                                 const cv::Mat& /*expected*/) const {
+    return std::nullopt;
+  }
   /// What moves in the frame observed last: CV_8UC1 of the camera's size, 255 = dynamic.
   virtual cv::Mat mask() const = 0;
   /// The same and all that may move, of which no landmarks are to be made: on what has just come into view

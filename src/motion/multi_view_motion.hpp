@@ -46,9 +46,6 @@ class MultiViewMotion : public MotionDetector {
   void follow(const AtlasSnapshot& snapshot) override;
   std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
                                   const std::vector<MaskTile>& tiles) override;
-  std::optional<double> agreement(const Pose&, MapId, const cv::Mat&, const cv::Mat&) const override {
-    return std::nullopt;
-  }
   cv::Mat mask() const override;
 
  private:
