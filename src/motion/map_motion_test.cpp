@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "motion/test_room.hpp"
 #include "motion/test_wall_scene.hpp"
 
 namespace stdc {

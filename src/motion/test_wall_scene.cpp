@@ -100,9 +100,4 @@ void WallRun::see(const Eigen::Vector3d& centre) {
   ++frame;
 }
 
-double overlap(const cv::Mat& a, const cv::Mat& b) {
-  const int both = cv::countNonZero(a & b), either = cv::countNonZero(a | b);
-  return either == 0 ? 1 : static_cast<double>(both) / either;
-}
-
 }  // namespace stdc::test

@@ -39,7 +39,4 @@ struct WallRun {
   void see(const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 };
 
-/// Intersection over union of masks; 1 if both are empty.
-double overlap(const cv::Mat& a, const cv::Mat& b);
-
 }  // namespace stdc::test
