@@ -70,6 +70,11 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->needs(debug_images);
   command.add_option("--save-masks", options.save_masks,
                      "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
+  CLI::Option* inpaint = command.add_option(
+      "--inpaint", options.inpaint,
+      "Folder for the sequence without what moves, filled with what earlier frames saw behind it");
+  command.add_flag("--inpaint-all", options.inpaint_all, "Fill it with what later frames saw, too")
+      ->needs(inpaint);
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");

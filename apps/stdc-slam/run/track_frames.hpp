@@ -6,6 +6,7 @@
 #include "report/debug_images.hpp"
 #include "report/run_record.hpp"
 #include "run/interrupt_watch.hpp"
+#include "run/mask_record.hpp"
 #include "run/saved_masks.hpp"
 #include "run/sequence_input.hpp"
 #include "slam/slam.hpp"
@@ -23,6 +24,7 @@ struct TrackOptions {
 struct FrameOutputs {
   DebugImages* pictures = nullptr;
   SavedMasks* masks = nullptr;
+  MaskRecord* mask_record = nullptr;
 };
 
 /// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and
