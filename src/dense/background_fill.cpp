@@ -31,6 +31,7 @@ struct Depths {
 
 /// What the views say about a surface.
 struct Opinion {
+  float z = 0;           ///< [m, frame] where it was asked about
   float score = 0;       ///< votes for it less those against it
   float depth = 0;       ///< as measured by those that see it [m, frame]; 0: none
   cv::Vec3f colour{0, 0, 0};
@@ -44,18 +45,43 @@ class Filler {
         rays_(rays),
         tolerance_(static_cast<float>(settings.depth_tolerance)),
         growth_(static_cast<float>(settings.depth_tolerance_growth)),
-        colour_tolerance_(static_cast<float>(settings.colour_tolerance)) {}
+        colour_tolerance_(static_cast<float>(settings.colour_tolerance)) {
+    for (std::size_t i = 0; i < sources_.size(); ++i) by_distance_.push_back(i);
+    std::stable_sort(by_distance_.begin(), by_distance_.end(), [this](std::size_t a, std::size_t b) {
+      return sources_[a].translation.norm() < sources_[b].translation.norm();
+    });
+  }
 
   /// The surface at a pixel and its colour; `colours` is 0 if nothing is known.
   Opinion at(int x, int y) const {
-    Depths measured, guessed;
+    Depths measured;
     for (const Source& source : sources_) {
       if (const float z = source.splat.measured.at<float>(y, x); z > 0) measured.add(z);
-      if (const float z = source.splat.guessed.at<float>(y, x); z > 0) guessed.add(z);
     }
     const Opinion best = best_surface(x, y, measured);
-    if (best.colours > 0 || guessed.count == 0) return best;
-    return ask(rays_.point(x, y, guessed.z[0]), true);  // of the preferred view
+    if (best.colours > 0) return best;
+    for (const std::size_t i : by_distance_) {
+      const float z = sources_[i].splat.guessed.at<float>(y, x);
+      if (z > 0) return ask(rays_.point(x, y, z), true);
+    }
+    return {};
+  }
+
+  /// The same where no view carries a surface to a pixel, but to its neighbours.
+  Opinion beside(int x, int y, const cv::Mat& surface) const {
+    float far = 0;
+    int count = 0;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if (x + dx < 0 || y + dy < 0 || x + dx >= surface.cols || y + dy >= surface.rows) continue;
+        const float z = surface.at<float>(y + dy, x + dx);
+        count += z > 0 ? 1 : 0;
+        far = std::max(far, z);  // a hole beside an edge is behind it
+      }
+    }
+    if (count < 2) return {};
+    const Opinion seen = ask(rays_.point(x, y, far), false);
+    return seen.colours > 0 && seen.score > 0 ? seen : ask(rays_.point(x, y, far), true);
   }
 
  private:
@@ -81,9 +107,12 @@ class Filler {
   /// @param guess  whether the depth of the point is one
   Opinion ask(const Eigen::Vector3f& point, bool guess) const {
     Opinion opinion;
+    opinion.z = point.z();
     float depths = 0, depth_sum = 0;
     cv::Vec3f first;
-    for (const Source& source : sources_) {
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      // Seen from nearby a wrong guess does less harm.
+      const Source& source = sources_[guess ? by_distance_[i] : i];
       const Eigen::Vector3f p = source.rotation * point + source.translation;
       if (p.z() < 0.05F) continue;
       const Eigen::Vector2f pixel = rays_.project(p);
@@ -120,19 +149,50 @@ class Filler {
   }
 
   std::vector<Source> sources_;
+  std::vector<std::size_t> by_distance_;  ///< indices of the sources, the nearest first
   const RayTable& rays_;
   float tolerance_, growth_, colour_tolerance_;
 };
 
-}  // namespace
+/// Filling under way.
+class Canvas {
+ public:
+  Canvas(const cv::Mat& region, int type)
+      : fill_{cv::Mat(region.size(), type, cv::Scalar::all(0)), cv::Mat(region.size(), CV_32FC1, cv::Scalar(0)),
+              cv::Mat(region.size(), CV_8UC1, cv::Scalar(0))},
+        surface_(region.size(), CV_32FC1, cv::Scalar(0)) {}
 
-BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views, const cv::Mat& region,
-                               const RayTable& rays, const InpaintingSettings& settings) {
-  BackgroundFill fill;
-  fill.depth = cv::Mat(region.size(), CV_32FC1, cv::Scalar(0));
-  fill.known = cv::Mat(region.size(), CV_8UC1, cv::Scalar(0));
-  const int type = views.empty() ? CV_8UC3 : views[0].view->colour.type();
-  fill.colour = cv::Mat(region.size(), type, cv::Scalar::all(0));
+  void put(int x, int y, const Opinion& opinion) {
+    fill_.known.at<std::uint8_t>(y, x) = 255;
+    fill_.depth.at<float>(y, x) = opinion.depth;
+    surface_.at<float>(y, x) = opinion.z;
+    const int channels = fill_.colour.channels();
+    std::uint8_t* pixel = fill_.colour.ptr<std::uint8_t>(y) + x * channels;
+    for (int c = 0; c < channels; ++c) pixel[c] = cv::saturate_cast<std::uint8_t>(opinion.colour[c]);
+  }
+  /// Cracks beside depth edges, where views know a colour but carry no surface to: from the rim inwards.
+  void close_cracks(const Filler& filler, std::vector<cv::Point> missing) {
+    constexpr int kRounds = 6;  // px
+    for (int round = 0; round < kRounds && !missing.empty(); ++round) {
+      const cv::Mat before = surface_.clone();
+      std::erase_if(missing, [&](cv::Point at) {
+        const Opinion opinion = filler.beside(at.x, at.y, before);
+        if (opinion.colours == 0) return false;
+        put(at.x, at.y, opinion);
+        return true;
+      });
+    }
+  }
+  BackgroundFill take() { return std::move(fill_); }
+
+ private:
+  BackgroundFill fill_;
+  cv::Mat surface_;  ///< CV_32FC1 [m], also where it is a guess
+};
+
+std::vector<Source> make_sources(const ViewPose& at, const std::vector<AlignedView>& views,
+                                 const cv::Mat& region, const RayTable& rays,
+                                 const InpaintingSettings& settings) {
   std::vector<Source> sources;
   for (const AlignedView& aligned : views) {
     const double apart = std::abs(aligned.view->at.timestamp - at.timestamp);
@@ -142,19 +202,29 @@ BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView
                        splat_depth(aligned, region, rays)});
     if (sources.size() == kMaxViews) break;
   }
-  const Filler filler(std::move(sources), rays, settings);
+  return sources;
+}
+
+}  // namespace
+
+BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views, const cv::Mat& region,
+                               const RayTable& rays, const InpaintingSettings& settings) {
+  const Filler filler(make_sources(at, views, region, rays, settings), rays, settings);
+  Canvas canvas(region, views.empty() ? CV_8UC3 : views[0].view->colour.type());
+  std::vector<cv::Point> missing;
   for (int y = 0; y < region.rows; ++y) {
     for (int x = 0; x < region.cols; ++x) {
       if (region.at<std::uint8_t>(y, x) == 0 || std::isnan(rays.ray(x, y)[0])) continue;
       const Opinion opinion = filler.at(x, y);
-      if (opinion.colours == 0) continue;
-      fill.known.at<std::uint8_t>(y, x) = 255;
-      fill.depth.at<float>(y, x) = opinion.depth;
-      std::uint8_t* pixel = fill.colour.ptr<std::uint8_t>(y) + x * fill.colour.channels();
-      for (int c = 0; c < fill.colour.channels(); ++c) pixel[c] = cv::saturate_cast<std::uint8_t>(opinion.colour[c]);
+      if (opinion.colours > 0) {
+        canvas.put(x, y, opinion);
+      } else {
+        missing.emplace_back(x, y);
+      }
     }
   }
-  return fill;
+  canvas.close_cracks(filler, std::move(missing));
+  return canvas.take();
 }
 
 }  // namespace stdc
