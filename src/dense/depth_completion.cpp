@@ -6,9 +6,11 @@
 namespace stdc {
 namespace {
 
+/// Of depths side by side those count as the far ones that are more than this share of the farthest.
+constexpr float kFarShare = 0.85F;
+
 /// Each pixel the mean of the far ones among the four below.
 cv::Mat pull(const cv::Mat& fine) {
-  constexpr float kFarShare = 0.85F;
   cv::Mat coarse((fine.rows + 1) / 2, (fine.cols + 1) / 2, CV_32FC1);
   for (int y = 0; y < coarse.rows; ++y) {
     const float* upper = fine.ptr<float>(2 * y);
@@ -30,7 +32,7 @@ cv::Mat pull(const cv::Mat& fine) {
   return coarse;
 }
 
-/// Missing pixels by interpolation in the coarser level, which is full.
+/// Missing pixels by interpolation between the far ones of the coarser level, which is full.
 void push(const cv::Mat& coarse, cv::Mat& fine) {
   for (int y = 0; y < fine.rows; ++y) {
     float* out = fine.ptr<float>(y);
@@ -45,8 +47,16 @@ void push(const cv::Mat& coarse, cv::Mat& fine) {
           std::clamp(0.5F * static_cast<float>(x) - 0.25F, 0.F, static_cast<float>(coarse.cols - 1));
       const int left = static_cast<int>(u), right = std::min(left + 1, coarse.cols - 1);
       const float a = u - static_cast<float>(left);
-      out[x] = (1 - b) * ((1 - a) * upper[left] + a * upper[right]) +
-               b * ((1 - a) * lower[left] + a * lower[right]);
+      const float z[4] = {upper[left], upper[right], lower[left], lower[right]};
+      const float weight[4] = {(1 - b) * (1 - a), (1 - b) * a, b * (1 - a), b * a};
+      const float far = kFarShare * std::max({z[0], z[1], z[2], z[3]});
+      float sum = 0, weights = 0;
+      for (int i = 0; i < 4; ++i) {
+        if (z[i] < far) continue;
+        sum += weight[i] * z[i];
+        weights += weight[i];
+      }
+      out[x] = weights > 0 ? sum / weights : far / kFarShare;
     }
   }
 }
