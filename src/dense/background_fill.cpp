@@ -31,11 +31,11 @@ struct Depths {
 
 /// What the views say about a surface.
 struct Opinion {
-  float z = 0;           ///< [m, frame] where it was asked about
-  float score = 0;       ///< votes for it less those against it
-  float depth = 0;       ///< as measured by those that see it [m, frame]; 0: none
+  float z = 0;      ///< [m, frame] where it was asked about
+  float score = 0;  ///< votes for it less those against it
+  float depth = 0;  ///< as measured by those that see it [m, frame]; 0: none
   cv::Vec3f colour{0, 0, 0};
-  float colours = 0;     ///< weight of the colours in `colour`
+  float colours = 0;  ///< weight of the colours in `colour`
 };
 
 class Filler {
@@ -94,7 +94,8 @@ class Filler {
     for (int first = 0; first < depths.count;) {
       const float nearest = depths.z[static_cast<std::size_t>(first)];
       int end = first + 1;
-      while (end < depths.count && depths.z[static_cast<std::size_t>(end)] < nearest + tolerance(nearest)) ++end;
+      while (end < depths.count && depths.z[static_cast<std::size_t>(end)] < nearest + tolerance(nearest))
+        ++end;
       const float z = depths.z[static_cast<std::size_t>((first + end - 1) / 2)];
       const Opinion opinion = ask(rays_.point(x, y, z), false);
       if (opinion.colours > 0 && opinion.score > 0) return opinion;
@@ -158,7 +159,8 @@ class Filler {
 class Canvas {
  public:
   Canvas(const cv::Mat& region, int type)
-      : fill_{cv::Mat(region.size(), type, cv::Scalar::all(0)), cv::Mat(region.size(), CV_32FC1, cv::Scalar(0)),
+      : fill_{cv::Mat(region.size(), type, cv::Scalar::all(0)),
+              cv::Mat(region.size(), CV_32FC1, cv::Scalar(0)),
               cv::Mat(region.size(), CV_8UC1, cv::Scalar(0))},
         surface_(region.size(), CV_32FC1, cv::Scalar(0)) {}
 
@@ -207,8 +209,9 @@ std::vector<Source> make_sources(const ViewPose& at, const std::vector<AlignedVi
 
 }  // namespace
 
-BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views, const cv::Mat& region,
-                               const RayTable& rays, const InpaintingSettings& settings) {
+BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views,
+                               const cv::Mat& region, const RayTable& rays,
+                               const InpaintingSettings& settings) {
   const Filler filler(make_sources(at, views, region, rays, settings), rays, settings);
   Canvas canvas(region, views.empty() ? CV_8UC3 : views[0].view->colour.type());
   std::vector<cv::Point> missing;

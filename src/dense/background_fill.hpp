@@ -22,7 +22,8 @@ struct BackgroundFill {
 /// nearest surface with more votes for than against it is taken; votes of views further away in time weigh
 /// less. Colour comes from the preferred view that sees the surface, averaged with those that agree with it.
 /// @param region  CV_8UC1, not 0 = wanted
-BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views, const cv::Mat& region,
-                               const RayTable& rays, const InpaintingSettings& settings);
+BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views,
+                               const cv::Mat& region, const RayTable& rays,
+                               const InpaintingSettings& settings);
 
 }  // namespace stdc

@@ -63,9 +63,9 @@ std::vector<BackgroundStore::Cell> BackgroundStore::cells_of(const BackgroundVie
   for (const Eigen::Vector3f& point : view.points) {
     const Eigen::Vector3d p = view.at.world_from_cam * point.cast<double>() / kSide;
     const int scale = static_cast<int>(std::floor(std::log2(std::max(0.1F, point.z()))));
-    cells.push_back({static_cast<std::int32_t>(view.at.map.value), scale,
-                     static_cast<std::int32_t>(std::floor(p.x())), static_cast<std::int32_t>(std::floor(p.y())),
-                     static_cast<std::int32_t>(std::floor(p.z()))});
+    cells.push_back(
+        {static_cast<std::int32_t>(view.at.map.value), scale, static_cast<std::int32_t>(std::floor(p.x())),
+         static_cast<std::int32_t>(std::floor(p.y())), static_cast<std::int32_t>(std::floor(p.z()))});
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());

@@ -11,9 +11,9 @@
 
 namespace stdc {
 
-/// Views of the static scene, a bounded number. One is kept every `view_interval` frames, and whenever a frame
-/// shows enough that no kept view has seen, such as what a mover has just uncovered; when there are too many,
-/// the one goes whose surfaces the others have seen most often.
+/// Views of the static scene, a bounded number. One is kept every `view_interval` frames, and whenever a
+/// frame shows enough that no kept view has seen, such as what a mover has just uncovered; when there are too
+/// many, the one goes whose surfaces the others have seen most often.
 ///
 /// Poses are those of the finished trajectory, which follow the map; the space is counted in cells of it.
 class BackgroundStore {

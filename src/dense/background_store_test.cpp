@@ -11,7 +11,8 @@ using test::PlaneScene;
 
 class BackgroundStoreTest : public testing::Test {
  protected:
-  std::shared_ptr<const BackgroundView> view(int frame, double x, cv::Rect mover = {}, MapId map = {0}) const {
+  std::shared_ptr<const BackgroundView> view(int frame, double x, cv::Rect mover = {},
+                                             MapId map = {0}) const {
     return std::make_shared<const BackgroundView>(
         make_view(PlaneScene::image(x, mover), PlaneScene::mask(mover), 4,
                   {frame, frame / 30.0, map, PlaneScene::world_from_cam(x)}, rays_));
@@ -52,18 +53,19 @@ TEST_F(BackgroundStoreTest, ChoosesViewsThatShowTheRegionInTheSameMap) {
   const cv::Rect mover(60, 40, 30, 30);
   BackgroundStore store(settings_);
   store.add(view(0, 0));
-  store.add(view(20, 0, mover));             // hides it as well
-  store.add(view(40, 0, {}, MapId{1}));      // elsewhere
-  store.add(view(60, 3));                    // looks past it
-  const auto chosen = store.choose({80, 80 / 30.0, MapId{0}, PlaneScene::world_from_cam(0)},
-                                   PlaneScene::mask(mover), rays_);
+  store.add(view(20, 0, mover));         // hides it as well
+  store.add(view(40, 0, {}, MapId{1}));  // elsewhere
+  store.add(view(60, 3));                // looks past it
+  const auto chosen =
+      store.choose({80, 80 / 30.0, MapId{0}, PlaneScene::world_from_cam(0)}, PlaneScene::mask(mover), rays_);
   ASSERT_FALSE(chosen.empty());
   EXPECT_EQ(chosen[0]->at.frame, 0);
   for (const auto& one : chosen) {
     EXPECT_NE(one->at.frame, 40);
     EXPECT_NE(one->at.frame, 60);
   }
-  EXPECT_TRUE(store.choose({0, 0, MapId{0}, PlaneScene::world_from_cam(0)}, PlaneScene::mask({}), rays_).empty());
+  EXPECT_TRUE(
+      store.choose({0, 0, MapId{0}, PlaneScene::world_from_cam(0)}, PlaneScene::mask({}), rays_).empty());
 }
 
 }  // namespace

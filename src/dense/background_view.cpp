@@ -43,7 +43,8 @@ BackgroundView make_view(const RgbdImage& image, const cv::Mat& dynamic, int mar
   }
   cv::pyrDown(view.grey, view.half_grey);
   view.depth = metres(image.depth, rays.size(), rays.camera().depth_units_per_metre);
-  const cv::Mat shunned = dynamic.empty() ? cv::Mat(rays.size(), CV_8UC1, cv::Scalar(0)) : grown(dynamic, margin);
+  const cv::Mat shunned =
+      dynamic.empty() ? cv::Mat(rays.size(), CV_8UC1, cv::Scalar(0)) : grown(dynamic, margin);
   view.depth.setTo(0, shunned);
   view.seen.create(rays.size(), CV_8UC1);
   for (int y = 0; y < view.seen.rows; ++y) {

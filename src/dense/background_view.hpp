@@ -14,9 +14,9 @@ namespace stdc {
 
 /// What a pixel of a view is good for.
 enum class Seen : std::uint8_t {
-  nothing,   ///< it is dynamic, near to that, or without a ray
-  colour,    ///< static, without a depth of its own: that in `BackgroundView::depth` is a guess
-  surface,   ///< static, with a measured depth
+  nothing,  ///< it is dynamic, near to that, or without a ray
+  colour,   ///< static, without a depth of its own: that in `BackgroundView::depth` is a guess
+  surface,  ///< static, with a measured depth
 };
 
 /// Where and when a frame was taken.

@@ -36,7 +36,8 @@ cv::Mat pull(const cv::Mat& fine) {
 void push(const cv::Mat& coarse, cv::Mat& fine) {
   for (int y = 0; y < fine.rows; ++y) {
     float* out = fine.ptr<float>(y);
-    const float v = std::clamp(0.5F * static_cast<float>(y) - 0.25F, 0.F, static_cast<float>(coarse.rows - 1));
+    const float v =
+        std::clamp(0.5F * static_cast<float>(y) - 0.25F, 0.F, static_cast<float>(coarse.rows - 1));
     const int top = static_cast<int>(v);
     const float* upper = coarse.ptr<float>(top);
     const float* lower = coarse.ptr<float>(std::min(top + 1, coarse.rows - 1));

@@ -77,8 +77,8 @@ InpaintedFrame Inpainter::inpaint(const RgbdImage& image, const BackgroundView& 
   const cv::Mat shadows =
       grown(dynamic, kShadowMargins * settings_.margin) & (frame.seen == static_cast<int>(Seen::colour));
   const cv::Mat wanted = replaced | shadows;
-  const BackgroundFill fill = fill_background(
-      frame.at, align_views(frame, views, rays_, settings_.align), wanted, rays_, settings_);
+  const BackgroundFill fill =
+      fill_background(frame.at, align_views(frame, views, rays_, settings_.align), wanted, rays_, settings_);
   InpaintedFrame result{image.colour.clone(), image.depth.clone(), replaced & (fill.known == 0)};
   blend_colour(fill, replaced, std::min(settings_.feather, settings_.margin), result.colour);
   if (result.depth.empty()) return result;

@@ -15,10 +15,10 @@ struct InpaintedFrame {
 };
 
 /// Replaces what moves in a frame by what views from elsewhere, or at other times, saw there: the background
-/// inpainting of DynaSLAM (Bescos et al., RA-L 2018, III-F), which projects the last keyframes into the frame.
-/// Beyond that, here views are chosen by what they uncover, aligned to the frame by brightness, asked for
-/// consent about each surface, matched in exposure, and blended in; colour is carried where the sensor has
-/// no depth, too.
+/// inpainting of DynaSLAM (Bescos et al., RA-L 2018, III-F), which projects the last keyframes into the
+/// frame. Beyond that, here views are chosen by what they uncover, aligned to the frame by brightness, asked
+/// for consent about each surface, matched in exposure, and blended in; colour is carried where the sensor
+/// has no depth, too.
 ///
 /// For cameras without rolling shutter, or slow ones: a view is taken as seen at once.
 class Inpainter {

@@ -97,8 +97,8 @@ TEST_F(InpainterTest, DepthlessPixelsAreFilledInColour) {
   // The sensor is blind on a part of the wall, as beyond its range.
   RgbdImage earlier = PlaneScene::image(0.05);
   earlier.depth(cv::Rect(50, 30, 50, 50)) = 0;
-  const auto blind = std::make_shared<const BackgroundView>(inpainter_.view(
-      earlier, PlaneScene::mask({}), {0, 0, MapId{0}, PlaneScene::world_from_cam(0.05)}));
+  const auto blind = std::make_shared<const BackgroundView>(
+      inpainter_.view(earlier, PlaneScene::mask({}), {0, 0, MapId{0}, PlaneScene::world_from_cam(0.05)}));
   const InpaintedFrame result = inpaint({blind});
   EXPECT_EQ(cv::countNonZero(result.unknown), 0);
   EXPECT_LE(worst_colour(result.colour, PlaneScene::image(0).colour), 5);
@@ -130,7 +130,8 @@ TEST_F(InpainterTest, WorksOnGreyImagesAndThroughALens) {
     for (int v = 0; v < lens.height; ++v) {
       for (int u = 0; u < lens.width; ++u) {
         const Eigen::Vector3d p = lens.unproject(lens.undistort({u, v}), PlaneScene::kWall);
-        out.colour.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(PlaneScene::paint(p.x() + x, p.y(), 0));
+        out.colour.at<std::uint8_t>(v, u) =
+            cv::saturate_cast<std::uint8_t>(PlaneScene::paint(p.x() + x, p.y(), 0));
       }
     }
     if (!mover.empty()) out.colour(mover) = 250;

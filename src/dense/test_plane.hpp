@@ -10,8 +10,8 @@
 
 namespace stdc::test {
 
-/// A camera of 160 x 120 pixels before a wall in the plane z = 2 m of the world, painted with smooth waves, and a
-/// square that moves in front of it, 1 m away.
+/// A camera of 160 x 120 pixels before a wall in the plane z = 2 m of the world, painted with smooth waves,
+/// and a square that moves in front of it, 1 m away.
 struct PlaneScene {
   static constexpr float kWall = 2, kMover = 1;  ///< [m]
 
@@ -25,7 +25,8 @@ struct PlaneScene {
   static Pose world_from_cam(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
   /// Brightness of the wall at a point of it [m].
   static double paint(double x, double y, int channel) {
-    return 120 + 40 * std::sin(9 * x + channel) + 40 * std::cos(11 * y - channel) + 15 * std::sin(31 * (x + y));
+    return 120 + 40 * std::sin(9 * x + channel) + 40 * std::cos(11 * y - channel) +
+           15 * std::sin(31 * (x + y));
   }
 
   /// @param mover     columns and rows that it covers; empty: none
@@ -39,7 +40,8 @@ struct PlaneScene {
       for (int u = 0; u < c.width; ++u) {
         const Eigen::Vector3d p = c.unproject({u, v}, kWall);
         for (int i = 0; i < 3; ++i) {
-          image.colour.at<cv::Vec3b>(v, u)[i] = cv::saturate_cast<std::uint8_t>(exposure * paint(p.x() + x, p.y(), i));
+          image.colour.at<cv::Vec3b>(v, u)[i] =
+              cv::saturate_cast<std::uint8_t>(exposure * paint(p.x() + x, p.y(), i));
         }
       }
     }

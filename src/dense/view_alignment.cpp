@@ -9,13 +9,13 @@
 namespace stdc {
 namespace {
 
-constexpr int kBorder = 4;         ///< [px]
-constexpr int kCell = 12;          ///< [px] one pixel of each such square
-constexpr int kMinGradient = 8;    ///< [grey levels / 2 px]
-constexpr int kMinPixels = 60;     ///< to align by
-constexpr float kHuber = 10;       ///< [grey levels]
-constexpr double kMaxShift = 0.08; ///< [m] and
-constexpr double kMaxTurn = 0.04;  ///< [rad] between the known pose and the corrected one
+constexpr int kBorder = 4;          ///< [px]
+constexpr int kCell = 12;           ///< [px] one pixel of each such square
+constexpr int kMinGradient = 8;     ///< [grey levels / 2 px]
+constexpr int kMinPixels = 60;      ///< to align by
+constexpr float kHuber = 10;        ///< [grey levels]
+constexpr double kMaxShift = 0.08;  ///< [m] and
+constexpr double kMaxTurn = 0.04;   ///< [rad] between the known pose and the corrected one
 
 /// Of brightness over two pixels each way, squared.
 int squared_gradient(const cv::Mat& grey, int x, int y) {

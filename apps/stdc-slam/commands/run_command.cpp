@@ -68,8 +68,9 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
       ->capture_default_str()
       ->needs(debug_images);
-  command.add_option("--save-masks", options.save_masks,
-                     "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
+  command.add_option(
+      "--save-masks", options.save_masks,
+      "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
   CLI::Option* inpaint = command.add_option(
       "--inpaint", options.inpaint,
       "Folder for the sequence without what moves, filled with what earlier frames saw behind it");

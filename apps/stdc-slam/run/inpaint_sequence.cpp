@@ -95,14 +95,14 @@ class SecondPass {
     if (view && cv::countNonZero(dynamic) > 0) {
       views = store_.choose(view->at, inpainter_.region(dynamic), inpainter_.rays());
     }
-    lane.worker->start([this, &lane, view, dynamic, views = std::move(views), image = *frame.image,
-                        index = frame.index] {
-      const InpaintedFrame result =
-          view ? inpainter_.inpaint(image, *view, dynamic, views) : inpainter_.blank(image, dynamic);
-      lane.replaced = cv::countNonZero(inpainter_.region(dynamic));
-      lane.unknown = cv::countNonZero(result.unknown);
-      folder_.write(index, result);
-    });
+    lane.worker->start(
+        [this, &lane, view, dynamic, views = std::move(views), image = *frame.image, index = frame.index] {
+          const InpaintedFrame result =
+              view ? inpainter_.inpaint(image, *view, dynamic, views) : inpainter_.blank(image, dynamic);
+          lane.replaced = cv::countNonZero(inpainter_.region(dynamic));
+          lane.unknown = cv::countNonZero(result.unknown);
+          folder_.write(index, result);
+        });
   }
 
   void finish(Lane& lane) {

@@ -13,9 +13,9 @@
 namespace stdc::app {
 
 struct InpaintOptions {
-  bool all = false;    ///< fill from later frames too
+  bool all = false;  ///< fill from later frames too
   bool quiet = false;
-  int threads = 0;     ///< 0: one for each core; the results do not depend on it
+  int threads = 0;  ///< 0: one for each core; the results do not depend on it
 };
 
 /// How much was filled.

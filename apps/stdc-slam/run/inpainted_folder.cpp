@@ -36,7 +36,7 @@ void write_png(const fs::path& path, const cv::Mat& image) {
 }
 
 bool is_of_this_kind(const fs::path& name) {
-  constexpr std::array<std::string_view, 7> kOwn{"rgb",     "depth",       "unknown",        "rgb.txt",
+  constexpr std::array<std::string_view, 7> kOwn{"rgb",       "depth",       "unknown",        "rgb.txt",
                                                  "depth.txt", "camera.yaml", "groundtruth.txt"};
   return std::find(kOwn.begin(), kOwn.end(), name.string()) != kOwn.end();
 }
@@ -48,7 +48,8 @@ void check_place(const fs::path& folder) {
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) throw Error(folder.string(), "is not a folder", "give another --inpaint");
   bool empty = true;
-  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
     empty = false;
     if (is_of_this_kind(entry->path().filename())) continue;
     throw Error(folder.string(),
@@ -132,7 +133,8 @@ void InpaintedFolder::commit() {
   std::error_code problem;
   fs::remove_all(folder_, problem);  // empty, or of an earlier run: see check_place
   fs::rename(partial_, folder_, problem);
-  if (problem) throw Error(folder_.string(), fmt::format("cannot be replaced ({})", problem.message()), kHint);
+  if (problem)
+    throw Error(folder_.string(), fmt::format("cannot be replaced ({})", problem.message()), kHint);
   partial_.clear();
 }
 

@@ -9,8 +9,8 @@
 
 namespace stdc::app {
 
-/// A folder in TUM RGB-D layout for frames without what moves: rgb/, depth/, unknown/ (255 = not known; named as
-/// the colour image), rgb.txt, depth.txt, camera.yaml, and groundtruth.txt if the sequence has one. All
+/// A folder in TUM RGB-D layout for frames without what moves: rgb/, depth/, unknown/ (255 = not known; named
+/// as the colour image), rgb.txt, depth.txt, camera.yaml, and groundtruth.txt if the sequence has one. All
 /// files go to a hidden folder beside it, which takes its place at the end: it is never there half written.
 class InpaintedFolder {
  public:

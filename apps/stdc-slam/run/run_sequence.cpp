@@ -88,7 +88,8 @@ void write_trajectories(const RunTrajectories& trajectories, OutputFolder& outpu
 /// Whether there will be masks to inpaint by; throws Error if not.
 void check_inpainting(const RunOptions& options, const Settings& settings) {
   if (!options.inpaint) return;
-  if (settings.segmentation.source == SegmentationSource::off && settings.motion.method == MotionMethod::off) {
+  if (settings.segmentation.source == SegmentationSource::off &&
+      settings.motion.method == MotionMethod::off) {
     throw Error("--inpaint", "there is nothing to inpaint: nobody looks for what moves",
                 "choose --motion or --segmentation, or leave out --inpaint");
   }
@@ -108,9 +109,9 @@ void check_apart(const RunOptions& options, const InpaintedFolder& inpainted) {
 }
 
 std::string describe(const InpaintReport& report, const std::filesystem::path& folder) {
-  const double known =
-      report.replaced > 0 ? 100 - 100.0 * static_cast<double>(report.unknown) / static_cast<double>(report.replaced)
-                          : 100;
+  const double known = report.replaced > 0 ? 100 - 100.0 * static_cast<double>(report.unknown) /
+                                                       static_cast<double>(report.replaced)
+                                           : 100;
   return fmt::format("inpainted: {} ({} frames, {:.0f} % of what was replaced is known, {:.1f} frames/s)",
                      folder.string(), report.frames, known, report.frames / std::max(1e-3, report.seconds));
 }
@@ -124,7 +125,8 @@ bool run_sequence(const RunOptions& options) {
   check_not_assigned(options.localisation_only, "--localisation-only", options.settings,
                      "system.localisation_only");
   settings.system.report_keypoints = settings.system.report_keypoints || options.debug_images.has_value();
-  settings.system.report_masks = settings.system.report_masks || options.save_masks.has_value() || options.inpaint.has_value();
+  settings.system.report_masks =
+      settings.system.report_masks || options.save_masks.has_value() || options.inpaint.has_value();
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   check_inpainting(options, settings);
@@ -148,8 +150,9 @@ bool run_sequence(const RunOptions& options) {
   MaskRecord mask_record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
-  track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
-               {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr, inpainted ? &mask_record : nullptr});
+  track_frames(
+      input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
+      {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr, inpainted ? &mask_record : nullptr});
   const std::vector<FramePose> poses =
       settings.system.localisation_only ? record.tracked_poses() : slam.trajectory();
   const RunTrajectories trajectories = by_map(poses, slam.keyframe_trajectory());
