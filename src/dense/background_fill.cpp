@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "dense/depth_splat.hpp"
 #include "dense/sampling.hpp"
 
 namespace stdc {
@@ -192,27 +191,23 @@ class Canvas {
   cv::Mat surface_;  ///< CV_32FC1 [m], also where it is a guess
 };
 
-std::vector<Source> make_sources(const ViewPose& at, const std::vector<AlignedView>& views,
-                                 const cv::Mat& region, const RayTable& rays,
-                                 const InpaintingSettings& settings) {
+std::vector<Source> make_sources(const std::vector<AlignedView>& views, const std::vector<SplatDepth>& splats,
+                                 const std::vector<float>& votes) {
   std::vector<Source> sources;
-  for (const AlignedView& aligned : views) {
-    const double apart = std::abs(aligned.view->at.timestamp - at.timestamp);
-    sources.push_back({aligned.view, aligned.view_from_frame.rotation_matrix().cast<float>(),
-                       aligned.view_from_frame.translation.cast<float>(), aligned.gain,
-                       static_cast<float>(1 / (1 + apart / settings.memory)),
-                       splat_depth(aligned, region, rays)});
-    if (sources.size() == kMaxViews) break;
+  for (std::size_t i = 0; i < std::min<std::size_t>(views.size(), kMaxViews); ++i) {
+    sources.push_back({views[i].view, views[i].view_from_frame.rotation_matrix().cast<float>(),
+                       views[i].view_from_frame.translation.cast<float>(), views[i].gain, votes[i],
+                       splats[i]});
   }
   return sources;
 }
 
 }  // namespace
 
-BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views,
-                               const cv::Mat& region, const RayTable& rays,
+BackgroundFill fill_background(const std::vector<AlignedView>& views, const std::vector<SplatDepth>& splats,
+                               const std::vector<float>& votes, const cv::Mat& region, const RayTable& rays,
                                const InpaintingSettings& settings) {
-  const Filler filler(make_sources(at, views, region, rays, settings), rays, settings);
+  const Filler filler(make_sources(views, splats, votes), rays, settings);
   Canvas canvas(region, views.empty() ? CV_8UC3 : views[0].view->colour.type());
   std::vector<cv::Point> missing;
   for (int y = 0; y < region.rows; ++y) {

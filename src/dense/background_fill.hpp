@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "dense/depth_splat.hpp"
 #include "dense/inpainting_settings.hpp"
 #include "dense/view_alignment.hpp"
 
@@ -21,9 +22,11 @@ struct BackgroundFill {
 /// for it, those that see through it vote against it, those that something hides it from say nothing. The
 /// nearest surface with more votes for than against it is taken; votes of views further away in time weigh
 /// less. Colour comes from the preferred view that sees the surface, averaged with those that agree with it.
+/// @param splats  what each view gives to the region
+/// @param votes   weight of each view
 /// @param region  CV_8UC1, not 0 = wanted
-BackgroundFill fill_background(const ViewPose& at, const std::vector<AlignedView>& views,
-                               const cv::Mat& region, const RayTable& rays,
+BackgroundFill fill_background(const std::vector<AlignedView>& views, const std::vector<SplatDepth>& splats,
+                               const std::vector<float>& votes, const cv::Mat& region, const RayTable& rays,
                                const InpaintingSettings& settings);
 
 }  // namespace stdc

@@ -6,22 +6,19 @@
 #include "dense/depth_completion.hpp"
 
 namespace stdc {
-namespace {
 
-/// CV_32FC1 [m], 0 where there is none.
-cv::Mat metres(const cv::Mat& depth, cv::Size size, double units_per_metre) {
-  if (depth.empty()) return cv::Mat(size, CV_32FC1, cv::Scalar(0));
+cv::Mat depth_in_metres(const RgbdImage& image, const RayTable& rays) {
+  if (image.depth.empty()) return cv::Mat(rays.size(), CV_32FC1, cv::Scalar(0));
   cv::Mat z;
-  depth.convertTo(z, CV_32FC1, depth.type() == CV_16UC1 ? 1 / units_per_metre : 1);
-  if (depth.type() == CV_32FC1) {
+  image.depth.convertTo(z, CV_32FC1,
+                        image.depth.type() == CV_16UC1 ? 1 / rays.camera().depth_units_per_metre : 1);
+  if (image.depth.type() == CV_32FC1) {
     z.forEach<float>([](float& value, const int*) {
       if (!(value > 0) || !std::isfinite(value)) value = 0;
     });
   }
   return z;
 }
-
-}  // namespace
 
 cv::Mat grown(const cv::Mat& mask, int radius) {
   if (radius == 0) return mask.clone();
@@ -42,7 +39,7 @@ BackgroundView make_view(const RgbdImage& image, const cv::Mat& dynamic, int mar
     view.grey = image.colour;
   }
   cv::pyrDown(view.grey, view.half_grey);
-  view.depth = metres(image.depth, rays.size(), rays.camera().depth_units_per_metre);
+  view.depth = depth_in_metres(image, rays);
   const cv::Mat shunned =
       dynamic.empty() ? cv::Mat(rays.size(), CV_8UC1, cv::Scalar(0)) : grown(dynamic, margin);
   view.depth.setTo(0, shunned);

@@ -48,6 +48,9 @@ struct BackgroundView {
 BackgroundView make_view(const RgbdImage& image, const cv::Mat& dynamic, int margin, const ViewPose& at,
                          const RayTable& rays);
 
+/// The depth of an image as CV_32FC1 [m], 0 where there is none.
+cv::Mat depth_in_metres(const RgbdImage& image, const RayTable& rays);
+
 /// A mask grown by a disc of that radius [px]; CV_8UC1.
 cv::Mat grown(const cv::Mat& mask, int radius);
 

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "dense/background_fill.hpp"
+#include "dense/depth_splat.hpp"
+#include "dense/mask_growth.hpp"
 #include "dense/view_alignment.hpp"
 
 namespace stdc {
@@ -48,11 +50,18 @@ void blend_colour(const BackgroundFill& fill, const cv::Mat& region, int feather
   }
 }
 
-void set_depth(cv::Mat& depth, int x, int y, float z, double units_per_metre) {
-  if (depth.type() == CV_16UC1) {
-    depth.at<std::uint16_t>(y, x) = cv::saturate_cast<std::uint16_t>(z * units_per_metre);
-  } else {
-    depth.at<float>(y, x) = z;
+void replace_depth(const BackgroundFill& fill, const cv::Mat& region, double units_per_metre,
+                   cv::Mat& depth) {
+  for (int y = 0; y < depth.rows; ++y) {
+    for (int x = 0; x < depth.cols; ++x) {
+      if (region.at<std::uint8_t>(y, x) == 0) continue;
+      const float z = fill.depth.at<float>(y, x);
+      if (depth.type() == CV_16UC1) {
+        depth.at<std::uint16_t>(y, x) = cv::saturate_cast<std::uint16_t>(z * units_per_metre);
+      } else {
+        depth.at<float>(y, x) = z;
+      }
+    }
   }
 }
 
@@ -72,27 +81,33 @@ cv::Mat Inpainter::region(const cv::Mat& dynamic) const {
 
 InpaintedFrame Inpainter::inpaint(const RgbdImage& image, const BackgroundView& frame, const cv::Mat& dynamic,
                                   const BackgroundStore::Views& views) const {
-  const cv::Mat replaced = region(dynamic);
-  if (views.empty() || cv::countNonZero(replaced) == 0) return blank(image, dynamic);
-  const cv::Mat shadows =
-      grown(dynamic, kShadowMargins * settings_.margin) & (frame.seen == static_cast<int>(Seen::colour));
-  const cv::Mat wanted = replaced | shadows;
-  const BackgroundFill fill =
-      fill_background(frame.at, align_views(frame, views, rays_, settings_.align), wanted, rays_, settings_);
-  InpaintedFrame result{image.colour.clone(), image.depth.clone(), replaced & (fill.known == 0)};
-  blend_colour(fill, replaced, std::min(settings_.feather, settings_.margin), result.colour);
-  if (result.depth.empty()) return result;
-  for (int y = 0; y < wanted.rows; ++y) {
-    for (int x = 0; x < wanted.cols; ++x) {
-      if (wanted.at<std::uint8_t>(y, x) == 0) continue;
-      set_depth(result.depth, x, y, fill.depth.at<float>(y, x), rays_.camera().depth_units_per_metre);
-    }
+  if (views.empty() || dynamic.empty() || cv::countNonZero(dynamic) == 0) return blank(image, dynamic);
+  const std::vector<AlignedView> aligned = align_views(frame, views, rays_, settings_.align);
+  const cv::Mat zone = grown(dynamic, settings_.growth + kShadowMargins * settings_.margin);
+  std::vector<SplatDepth> splats;
+  std::vector<float> votes;
+  for (const AlignedView& one : aligned) {
+    splats.push_back(splat_depth(one, zone, rays_));
+    const double apart = std::abs(one.view->at.timestamp - frame.at.timestamp);
+    votes.push_back(static_cast<float>(1 / (1 + apart / settings_.memory)));
   }
+  const cv::Mat mask = settings_.growth == 0
+                           ? dynamic
+                           : grow_mask(depth_in_metres(image, rays_), dynamic,
+                                       grown(dynamic, settings_.growth), splats, votes, settings_);
+  const cv::Mat replaced = region(mask);
+  const cv::Mat shadows =
+      grown(mask, kShadowMargins * settings_.margin) & (frame.seen == static_cast<int>(Seen::colour));
+  const cv::Mat wanted = replaced | shadows;
+  const BackgroundFill fill = fill_background(aligned, splats, votes, wanted, rays_, settings_);
+  InpaintedFrame result{image.colour.clone(), image.depth.clone(), replaced, replaced & (fill.known == 0)};
+  blend_colour(fill, replaced, std::min(settings_.feather, settings_.margin), result.colour);
+  replace_depth(fill, wanted, rays_.camera().depth_units_per_metre, result.depth);
   return result;
 }
 
 InpaintedFrame Inpainter::blank(const RgbdImage& image, const cv::Mat& dynamic) const {
-  InpaintedFrame result{image.colour.clone(), image.depth.clone(), region(dynamic)};
+  InpaintedFrame result{image.colour.clone(), image.depth.clone(), region(dynamic), region(dynamic)};
   result.colour.setTo(0, result.unknown);
   if (!result.depth.empty()) result.depth.setTo(0, result.unknown);
   return result;

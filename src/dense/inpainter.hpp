@@ -9,9 +9,10 @@ namespace stdc {
 
 /// A frame without what moves.
 struct InpaintedFrame {
-  cv::Mat colour;   ///< as that of the frame; black where unknown
-  cv::Mat depth;    ///< as that of the frame; 0 where unknown, or where no view measured one
-  cv::Mat unknown;  ///< CV_8UC1, 255 = no view shows what is there
+  cv::Mat colour;    ///< as that of the frame; black where unknown
+  cv::Mat depth;     ///< as that of the frame; 0 where unknown, or where no view measured one
+  cv::Mat replaced;  ///< CV_8UC1, 255 = not that of the frame: the mask, what it missed, and the margin
+  cv::Mat unknown;   ///< CV_8UC1, 255 = no view shows what is there
 };
 
 /// Replaces what moves in a frame by what views from elsewhere, or at other times, saw there: the background

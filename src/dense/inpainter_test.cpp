@@ -93,6 +93,18 @@ TEST_F(InpainterTest, AViewThatStillHasTheMoverIsOutvoted) {
   EXPECT_EQ(cv::countNonZero(result.unknown), 0);
 }
 
+TEST_F(InpainterTest, CompletesAMaskThatMissesAPartOfTheMover) {
+  const auto present = view(30, 0, kMover);
+  cv::Mat half = PlaneScene::mask(kMover);
+  half.colRange(kMover.x + 12, half.cols) = 0;
+  const InpaintedFrame result =
+      inpainter_.inpaint(PlaneScene::image(0, kMover), *present, half, {view(0, 0.1), view(10, -0.1)});
+  EXPECT_EQ(cv::countNonZero(PlaneScene::mask(kMover) & ~result.replaced), 0);
+  EXPECT_LE(worst_colour(result.colour, PlaneScene::image(0).colour), 5);
+  // Elsewhere the frame stays as it is.
+  EXPECT_EQ(cv::countNonZero(result.replaced & ~inpainter_.region(PlaneScene::mask(kMover))), 0);
+}
+
 TEST_F(InpainterTest, DepthlessPixelsAreFilledInColour) {
   // The sensor is blind on a part of the wall, as beyond its range.
   RgbdImage earlier = PlaneScene::image(0.05);

@@ -8,6 +8,8 @@ namespace stdc {
 struct InpaintingSettings {
   STDC_SETTING(int, margin, 8, "px", 0, 100,
                "So far around what moves the image is replaced too: soft edges, blur, depth shadows");
+  STDC_SETTING(int, growth, 60, "px", 0, 1000,
+               "So far beyond the mask what touches it is replaced where views have seen through; 0: off");
   STDC_SETTING(int, feather, 5, "px", 0, 100, "Width of the seam, within the margin");
   STDC_SETTING(int, views, 8, "count", 1, 32, "Earlier views that a frame is filled from");
   STDC_SETTING(int, max_views, 64, "count", 2, 4096, "Views kept, about 2.8 MB each at 640x480");

@@ -99,7 +99,7 @@ class SecondPass {
         [this, &lane, view, dynamic, views = std::move(views), image = *frame.image, index = frame.index] {
           const InpaintedFrame result =
               view ? inpainter_.inpaint(image, *view, dynamic, views) : inpainter_.blank(image, dynamic);
-          lane.replaced = cv::countNonZero(inpainter_.region(dynamic));
+          lane.replaced = cv::countNonZero(result.replaced);
           lane.unknown = cv::countNonZero(result.unknown);
           folder_.write(index, result);
         });
