@@ -208,7 +208,7 @@ BackgroundFill fill_background(const std::vector<AlignedView>& views, const std:
                                const std::vector<float>& votes, const cv::Mat& region, const RayTable& rays,
                                const InpaintingSettings& settings) {
   const Filler filler(make_sources(views, splats, votes), rays, settings);
-  Canvas canvas(region, views.empty() ? CV_8UC3 : views[0].view->colour.type());
+  Canvas canvas(region, views[0].view->colour.type());
   std::vector<cv::Point> missing;
   for (int y = 0; y < region.rows; ++y) {
     for (int x = 0; x < region.cols; ++x) {

@@ -22,6 +22,7 @@ struct BackgroundFill {
 /// for it, those that see through it vote against it, those that something hides it from say nothing. The
 /// nearest surface with more votes for than against it is taken; votes of views further away in time weigh
 /// less. Colour comes from the preferred view that sees the surface, averaged with those that agree with it.
+/// @param views   one or more, of the same type of image
 /// @param splats  what each view gives to the region
 /// @param votes   weight of each view
 /// @param region  CV_8UC1, not 0 = wanted

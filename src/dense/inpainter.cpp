@@ -21,7 +21,10 @@ std::vector<AlignedView> align_views(const BackgroundView& frame, const Backgrou
   constexpr double kAge = 20;  // [s] after which a view must fit twice as well
   const AlignmentTarget target(frame, rays);
   std::vector<AlignedView> aligned;
-  for (const auto& view : views) aligned.push_back(target.align(*view, align));
+  for (const auto& view : views) {
+    // Grey cannot stand in for colour.
+    if (view->colour.type() == frame.colour.type()) aligned.push_back(target.align(*view, align));
+  }
   const auto badness = [&](const AlignedView& one) {
     return (1 + one.residual) * (1 + std::abs(one.view->at.timestamp - frame.at.timestamp) / kAge);
   };
@@ -83,6 +86,7 @@ InpaintedFrame Inpainter::inpaint(const RgbdImage& image, const BackgroundView& 
                                   const BackgroundStore::Views& views) const {
   if (views.empty() || dynamic.empty() || cv::countNonZero(dynamic) == 0) return blank(image, dynamic);
   const std::vector<AlignedView> aligned = align_views(frame, views, rays_, settings_.align);
+  if (aligned.empty()) return blank(image, dynamic);
   const cv::Mat zone = grown(dynamic, settings_.growth + kShadowMargins * settings_.margin);
   std::vector<SplatDepth> splats;
   std::vector<float> votes;

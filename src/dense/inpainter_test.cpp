@@ -125,6 +125,14 @@ TEST_F(InpainterTest, CorrectsThePoseOfAView) {
   EXPECT_LE(worst_colour(result.colour, PlaneScene::image(0).colour), 8);
 }
 
+TEST_F(InpainterTest, AGreyViewIsNoUseToAColourFrame) {
+  RgbdImage grey = PlaneScene::image(0.1);
+  cv::extractChannel(grey.colour, grey.colour, 0);
+  const auto earlier = std::make_shared<const BackgroundView>(
+      inpainter_.view(grey, PlaneScene::mask({}), {0, 0, MapId{0}, PlaneScene::world_from_cam(0.1)}));
+  EXPECT_GT(cv::countNonZero(inpaint({earlier}).unknown), 0);
+}
+
 TEST_F(InpainterTest, GivesTheSameBytesAgain) {
   const BackgroundStore::Views views{view(0, 0.1), view(5, 0.2, kMover), view(10, -0.1)};
   const InpaintedFrame a = inpaint(views), b = inpaint(views);

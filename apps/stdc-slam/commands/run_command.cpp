@@ -26,6 +26,10 @@ Written to the output folder, all at the end or nothing:
   summary.json    coverage (share of the frames that are in trajectory.txt), maps, loops, times, memory, scores,
                   camera, settings, version
 
+--inpaint DIR makes DIR a sequence of the same layout without what moves: rgb, depth, their lists, camera.yaml and
+groundtruth.txt, and unknown: masks of what no frame has seen (255; black there, depth 0). It is filled with what frames
+before it saw, with --inpaint-all also with what came later. A frame without a pose keeps only what does not move.
+
 A map saved by --save-map holds all maps of the run. --load-map goes on with it: once a mapped place is seen
 again, poses are in its coordinates. With --localisation-only nothing is added to it.
 
@@ -39,6 +43,7 @@ Examples:
   stdc-slam run stamps-made-by-hand --output results --rate 30
   stdc-slam run empty-room --output results --segmentation off --motion off
   stdc-slam run my-sequence --output results --segmentation off --motion map --save-masks masks
+  stdc-slam run my-sequence --output results --inpaint empty-room --inpaint-all
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam run second-visit --output results --load-map office.map --save-map office.map
   stdc-slam run third-visit --output results --load-map office.map --localisation-only

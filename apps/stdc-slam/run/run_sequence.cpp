@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <opencv2/core/utility.hpp>
 #include <system_error>
@@ -109,11 +110,13 @@ void check_apart(const RunOptions& options, const InpaintedFolder& inpainted) {
 }
 
 std::string describe(const InpaintReport& report, const std::filesystem::path& folder) {
-  const double known = report.replaced > 0 ? 100 - 100.0 * static_cast<double>(report.unknown) /
-                                                       static_cast<double>(report.replaced)
-                                           : 100;
-  return fmt::format("inpainted: {} ({} frames, {:.0f} % of what was replaced is known, {:.1f} frames/s)",
-                     folder.string(), report.frames, known, report.frames / std::max(1e-3, report.seconds));
+  const double unknown =
+      report.replaced > 0 ? static_cast<double>(report.unknown) / static_cast<double>(report.replaced) : 0;
+  return fmt::format(
+      "inpainted: {} ({} frames{}, {:.0f} % of what was replaced is known, {:.1f} frames/s)", folder.string(),
+      report.frames,
+      report.without_pose > 0 ? fmt::format(", {} of them without a pose", report.without_pose) : "",
+      100 * (1 - unknown), report.frames / std::max(1e-3, report.seconds));
 }
 
 }  // namespace
