@@ -24,6 +24,22 @@ int squared_gradient(const cv::Mat& grey, int x, int y) {
   return dx * dx + dy * dy;
 }
 
+/// Adds nine pixels around one to the sums of the channels. @return whether one of them is saturated
+bool add_window(const cv::Mat& image, cv::Point at, double* sums) {
+  const int channels = image.channels();
+  bool saturated = false;
+  for (int dy = -2; dy <= 2; dy += 2) {
+    for (int dx = -2; dx <= 2; dx += 2) {
+      const std::uint8_t* pixel = image.ptr<std::uint8_t>(at.y + dy) + (at.x + dx) * channels;
+      for (int c = 0; c < channels; ++c) {
+        saturated = saturated || pixel[c] >= 250;
+        sums[c] += pixel[c];
+      }
+    }
+  }
+  return saturated;
+}
+
 }  // namespace
 
 AlignmentTarget::AlignmentTarget(const BackgroundView& frame, const RayTable& rays)
@@ -69,6 +85,17 @@ void AlignmentTarget::add(cv::Point at) {
   pixels_.push_back(pixel);
 }
 
+std::optional<Eigen::Vector2f> AlignmentTarget::find(const Eigen::Vector3f& point,
+                                                     const BackgroundView& view) const {
+  if (point.z() < 0.05F) return std::nullopt;
+  const Eigen::Vector2f at = rays_.project(point);
+  if (!inside(at, view.grey.size(), 3)) return std::nullopt;
+  const int x = static_cast<int>(at.x() + 0.5F), y = static_cast<int>(at.y() + 0.5F);
+  if (view.seen_at(x, y) == Seen::nothing) return std::nullopt;
+  const bool same_surface = std::abs(view.depth.at<float>(y, x) - point.z()) <= 0.05F * point.z();
+  return same_surface ? std::optional(at) : std::nullopt;
+}
+
 AlignmentTarget::Fit AlignmentTarget::evaluate(const BackgroundView& view, const Pose& view_from_frame,
                                                int level, float gain, Eigen::Matrix<double, 6, 6>* hessian,
                                                Eigen::Matrix<double, 6, 1>* gradient) const {
@@ -80,13 +107,9 @@ AlignmentTarget::Fit AlignmentTarget::evaluate(const BackgroundView& view, const
   double sum_frame = 0, sum_view = 0;
   if (hessian != nullptr) hessian->setZero(), gradient->setZero();
   for (const Pixel& pixel : pixels_) {
-    const Eigen::Vector3f p = rotation * pixel.point + translation;
-    if (p.z() < 0.05F) continue;
-    const Eigen::Vector2f at = rays_.project(p);
-    if (!inside(at, view.grey.size(), 3)) continue;
-    const int x = static_cast<int>(at.x() + 0.5F), y = static_cast<int>(at.y() + 0.5F);
-    if (view.seen_at(x, y) == Seen::nothing) continue;
-    if (std::abs(view.depth.at<float>(y, x) - p.z()) > 0.05F * p.z()) continue;  // another surface
+    const std::optional<Eigen::Vector2f> seen = find(rotation * pixel.point + translation, view);
+    if (!seen) continue;
+    const Eigen::Vector2f at = *seen;
     const float value = sample_grey(image, at.x() * scale, at.y() * scale);
     const float error = gain * value - pixel.value[level];
     const float size = std::abs(error), weight = size < kHuber ? 1 : kHuber / size;
@@ -104,42 +127,49 @@ AlignmentTarget::Fit AlignmentTarget::evaluate(const BackgroundView& view, const
   return fit;
 }
 
+AlignmentTarget::Fit AlignmentTarget::judge(const BackgroundView& view, const Pose& view_from_frame,
+                                            float gain) const {
+  const Fit fit = evaluate(view, view_from_frame, 0, gain, nullptr, nullptr);
+  return evaluate(view, view_from_frame, 0, fit.gain, nullptr, nullptr);
+}
+
+/// Gauss-Newton from the half size to the full one. `gain`: in and out.
+Pose AlignmentTarget::refine(const BackgroundView& view, Pose view_from_frame, float& gain) const {
+  constexpr int kIterations = 5;
+  for (const int level : {1, 0}) {
+    for (int i = 0; i < kIterations; ++i) {
+      Eigen::Matrix<double, 6, 6> hessian;
+      Eigen::Matrix<double, 6, 1> gradient;
+      const Fit fit = evaluate(view, view_from_frame, level, gain, &hessian, &gradient);
+      if (fit.count < kMinPixels) break;
+      gain = std::clamp(fit.gain, 0.3F, 3.F);
+      hessian.diagonal() *= 1.001;
+      const Vector6d step = hessian.ldlt().solve(gradient);
+      if (!step.allFinite()) break;
+      // The error falls when the frame is moved by `step`; the view moves by its inverse.
+      view_from_frame = view_from_frame * Pose::exp(-step);
+      if (step.head<3>().norm() < 1e-4 && step.tail<3>().norm() < 5e-5) break;
+    }
+  }
+  return view_from_frame;
+}
+
 AlignedView AlignmentTarget::align(const BackgroundView& view, bool align) const {
   AlignedView aligned;
   aligned.view = &view;
   const Pose known = view.at.world_from_cam.inverse() * frame_.at.world_from_cam;
   aligned.view_from_frame = known;
-  const auto settled = [&](const Pose& pose, float gain) {
-    Fit fit = evaluate(view, pose, 0, gain, nullptr, nullptr);
-    return evaluate(view, pose, 0, fit.gain, nullptr, nullptr);
-  };
-  const Fit before = settled(known, 1);
+  const Fit before = judge(view, known, 1);
   aligned.residual = before.count >= kMinPixels ? before.cost : kHuber;
   if (align && before.count >= kMinPixels) {
-    Pose pose = known;
     float gain = before.gain;
-    for (const int level : {1, 0}) {
-      constexpr int kIterations = 5;
-      for (int i = 0; i < kIterations; ++i) {
-        Eigen::Matrix<double, 6, 6> hessian;
-        Eigen::Matrix<double, 6, 1> gradient;
-        const Fit fit = evaluate(view, pose, level, gain, &hessian, &gradient);
-        if (fit.count < kMinPixels) break;
-        gain = std::clamp(fit.gain, 0.3F, 3.F);
-        hessian.diagonal() *= 1.001;
-        const Vector6d step = hessian.ldlt().solve(gradient);
-        if (!step.allFinite()) break;
-        // The error falls when the frame is moved by `step`; the view moves by its inverse.
-        pose = pose * Pose::exp(-step);
-        if (step.head<3>().norm() < 1e-4 && step.tail<3>().norm() < 5e-5) break;
-      }
-    }
-    const Pose change = pose * known.inverse();
-    const Fit after = settled(pose, gain);
-    if (pose.is_finite() && change.translation.norm() < kMaxShift &&
+    const Pose refined = refine(view, known, gain);
+    const Pose change = refined * known.inverse();
+    const Fit after = judge(view, refined, gain);
+    if (refined.is_finite() && change.translation.norm() < kMaxShift &&
         rotation_log(change.rotation).norm() < kMaxTurn && after.count >= before.count * 8 / 10 &&
         after.cost < before.cost) {
-      aligned.view_from_frame = pose;
+      aligned.view_from_frame = refined;
       aligned.residual = after.cost;
     }
   }
@@ -157,25 +187,12 @@ void AlignmentTarget::find_gain(AlignedView& aligned) const {
   double sums[2][3] = {};
   int count = 0;
   for (const Pixel& pixel : pixels_) {
-    const Eigen::Vector3f p = rotation * pixel.point + translation;
-    if (p.z() < 0.05F) continue;
-    const Eigen::Vector2f at = rays_.project(p);
-    if (!inside(at, view.grey.size(), 3)) continue;
-    const int x = static_cast<int>(at.x() + 0.5F), y = static_cast<int>(at.y() + 0.5F);
-    if (view.seen_at(x, y) == Seen::nothing) continue;
-    if (std::abs(view.depth.at<float>(y, x) - p.z()) > 0.05F * p.z()) continue;
+    const std::optional<Eigen::Vector2f> at = find(rotation * pixel.point + translation, view);
+    if (!at) continue;
+    const cv::Point there(static_cast<int>(at->x() + 0.5F), static_cast<int>(at->y() + 0.5F));
     double here[2][3] = {};
-    bool saturated = false;
-    for (int dy = -2; dy <= 2; dy += 2) {
-      for (int dx = -2; dx <= 2; dx += 2) {
-        const std::uint8_t* a = frame_.colour.ptr<std::uint8_t>(pixel.y + dy) + (pixel.x + dx) * channels;
-        const std::uint8_t* b = view.colour.ptr<std::uint8_t>(y + dy) + (x + dx) * channels;
-        for (int c = 0; c < channels; ++c) {
-          saturated = saturated || a[c] >= 250 || b[c] >= 250;
-          here[0][c] += a[c], here[1][c] += b[c];
-        }
-      }
-    }
+    const bool saturated =
+        add_window(frame_.colour, {pixel.x, pixel.y}, here[0]) | add_window(view.colour, there, here[1]);
     // Another thing, or a shadow, is not the exposure.
     if (saturated || here[0][0] > 2 * here[1][0] + 90 || here[1][0] > 2 * here[0][0] + 90) continue;
     ++count;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "dense/background_view.hpp"
@@ -44,6 +45,11 @@ class AlignmentTarget {
   void add(cv::Point at);
   Fit evaluate(const BackgroundView& view, const Pose& view_from_frame, int level, float gain,
                Eigen::Matrix<double, 6, 6>* hessian, Eigen::Matrix<double, 6, 1>* gradient) const;
+  /// Where a view shows a point [m, view]; nothing if it does not, or shows another surface there.
+  std::optional<Eigen::Vector2f> find(const Eigen::Vector3f& point, const BackgroundView& view) const;
+  /// How well a pose fits at full size, with the best gain.
+  Fit judge(const BackgroundView& view, const Pose& view_from_frame, float gain) const;
+  Pose refine(const BackgroundView& view, Pose view_from_frame, float& gain) const;
   void find_gain(AlignedView& aligned) const;
 
   const BackgroundView& frame_;
