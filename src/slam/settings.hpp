@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/setting.hpp"
+#include "dense/inpainting_settings.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/noise_settings.hpp"
 #include "estimation/pose_graph.hpp"
@@ -39,6 +40,7 @@ struct Settings {
   STDC_SECTION(RefinementSettings, refinement, {});
   STDC_SECTION(PropagationSettings, propagation, {});
   STDC_SECTION(MotionSettings, motion, {});
+  STDC_SECTION(InpaintingSettings, inpainting, {});
   STDC_SECTION(MaskDegradationSettings, mask_degradation, {});
   STDC_SECTION(NoiseSettings, noise, {});
   STDC_SECTION(TrackingSettings, tracking, {});

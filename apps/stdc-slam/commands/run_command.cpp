@@ -26,6 +26,10 @@ Written to the output folder, all at the end or nothing:
   summary.json    coverage (share of the frames that are in trajectory.txt), maps, loops, times, memory, scores,
                   camera, settings, version
 
+--inpaint DIR makes DIR a sequence of the same layout without what moves: rgb, depth, their lists, camera.yaml and
+groundtruth.txt, and unknown: masks of what no frame has seen (255; black there, depth 0). It is filled with what frames
+before it saw, with --inpaint-all also with what came later. A frame without a pose keeps only what does not move.
+
 A map saved by --save-map holds all maps of the run. --load-map goes on with it: once a mapped place is seen
 again, poses are in its coordinates. With --localisation-only nothing is added to it.
 
@@ -39,6 +43,7 @@ Examples:
   stdc-slam run stamps-made-by-hand --output results --rate 30
   stdc-slam run empty-room --output results --segmentation off --motion off
   stdc-slam run my-sequence --output results --segmentation off --motion map --save-masks masks
+  stdc-slam run my-sequence --output results --inpaint empty-room --inpaint-all
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam run second-visit --output results --load-map office.map --save-map office.map
   stdc-slam run third-visit --output results --load-map office.map --localisation-only
@@ -72,6 +77,11 @@ void add_options(CLI::App& command, RunOptions& options) {
                      "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
   command.add_option("--true-masks", options.true_masks,
                      "Folder of true masks, named like --masks, to score the masks of what moves against");
+  CLI::Option* inpaint = command.add_option(
+      "--inpaint", options.inpaint,
+      "Folder for the sequence without what moves, filled with what earlier frames saw behind it");
+  command.add_flag("--inpaint-all", options.inpaint_all, "Fill it with what later frames saw, too")
+      ->needs(inpaint);
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");

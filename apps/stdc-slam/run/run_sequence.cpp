@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <opencv2/core/utility.hpp>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "report/debug_images.hpp"
 #include "report/run_record.hpp"
 #include "report/run_summary.hpp"
+#include "run/inpaint_sequence.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/mask_check.hpp"
 #include "run/output_folder.hpp"
@@ -90,6 +92,39 @@ void write_trajectories(const RunTrajectories& trajectories, OutputFolder& outpu
   output.drop_older("trajectory-map-");
 }
 
+/// Whether there will be masks to inpaint by; throws Error if not.
+void check_inpainting(const RunOptions& options, const Settings& settings) {
+  if (!options.inpaint) return;
+  if (settings.segmentation.source == SegmentationSource::off &&
+      settings.motion.method == MotionMethod::off) {
+    throw Error("--inpaint", "there is nothing to inpaint: nobody looks for what moves",
+                "choose --motion or --segmentation, or leave out --inpaint");
+  }
+}
+
+/// The folder that appears at the end must not hold other results.
+void check_apart(const RunOptions& options, const InpaintedFolder& inpainted) {
+  for (const std::optional<std::filesystem::path>& other :
+       {std::optional(options.output), options.save_masks, options.debug_images}) {
+    if (!other) continue;
+    const std::filesystem::path inside =
+        std::filesystem::absolute(*other).lexically_normal().lexically_relative(inpainted.path());
+    if (inside.empty() || *inside.begin() == "..") continue;
+    throw Error(other->string(), "other results cannot be put into the folder of --inpaint",
+                "give folders beside each other");
+  }
+}
+
+std::string describe(const InpaintReport& report, const std::filesystem::path& folder) {
+  const double unknown =
+      report.replaced > 0 ? static_cast<double>(report.unknown) / static_cast<double>(report.replaced) : 0;
+  return fmt::format(
+      "inpainted: {} ({} frames{}, {:.0f} % of what was replaced is known, {:.1f} frames/s)", folder.string(),
+      report.frames,
+      report.without_pose > 0 ? fmt::format(", {} of them without a pose", report.without_pose) : "",
+      100 * (1 - unknown), report.frames / std::max(1e-3, report.seconds));
+}
+
 }  // namespace
 
 bool run_sequence(const RunOptions& options) {
@@ -99,13 +134,20 @@ bool run_sequence(const RunOptions& options) {
   check_not_assigned(options.localisation_only, "--localisation-only", options.settings,
                      "system.localisation_only");
   settings.system.report_keypoints = settings.system.report_keypoints || options.debug_images.has_value();
-  settings.system.report_masks = settings.system.report_masks || options.save_masks || options.true_masks;
+  settings.system.report_masks =
+      settings.system.report_masks || options.save_masks || options.true_masks || options.inpaint;
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
+  check_inpainting(options, settings);
   const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
   auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence, input.camera.rotation);
   if (settings.segmentation.source == SegmentationSource::masks)
     check_masks(mask_folder(options.segmentation, options.sequence), input);
+  std::optional<InpaintedFolder> inpainted;
+  if (options.inpaint) {
+    inpainted.emplace(*options.inpaint, input);
+    check_apart(options, *inpainted);
+  }
   OutputFolder output(options.output);
   check_place_for_map(options);
   std::optional<DebugImages> pictures;
@@ -119,14 +161,20 @@ bool run_sequence(const RunOptions& options) {
   }
 
   RunRecord record;
+  MaskRecord mask_record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
   track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
                {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr,
-                mask_scoring ? &*mask_scoring : nullptr});
-  const RunTrajectories trajectories =
-      by_map(settings.system.localisation_only ? record.tracked_poses() : slam.trajectory(),
-             slam.keyframe_trajectory());
+                mask_scoring ? &*mask_scoring : nullptr, inpainted ? &mask_record : nullptr});
+  const std::vector<FramePose> poses =
+      settings.system.localisation_only ? record.tracked_poses() : slam.trajectory();
+  const RunTrajectories trajectories = by_map(poses, slam.keyframe_trajectory());
+  InpaintReport inpainting;
+  if (inpainted) {
+    inpainting = inpaint_sequence(input, settings.inpainting, {options.inpaint_all, options.quiet}, poses,
+                                  mask_record, interrupts, *inpainted);
+  }
   RunSummary summary = summarise(input, record, slam, trajectories);
   if (mask_scoring) summary.masks = mask_scoring->score();
   if (pictures) {
@@ -137,6 +185,7 @@ bool run_sequence(const RunOptions& options) {
     pictures->commit();
   }
   if (masks) masks->commit();
+  if (inpainted) inpainted->commit();
   write_trajectories(trajectories, output);
   output.write("frames.csv", record.frames_csv());
   output.write("summary.json", summary_json(summary, record, settings));
@@ -149,6 +198,7 @@ bool run_sequence(const RunOptions& options) {
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
   if (saves_map) fmt::print("map: {}\n", options.save_map->string());
   if (masks) fmt::print("masks: {}\n", options.save_masks->string());
+  if (inpainted) fmt::print("{}\n", describe(inpainting, *options.inpaint));
   if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());
   return found;
 }

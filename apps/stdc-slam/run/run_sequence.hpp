@@ -12,7 +12,7 @@ namespace stdc::app {
 /// What `stdc-slam run` was asked to do.
 struct RunOptions {
   std::filesystem::path sequence, output;
-  std::optional<std::filesystem::path> camera, debug_images, save_masks, true_masks;
+  std::optional<std::filesystem::path> camera, debug_images, save_masks, true_masks, inpaint;
   std::optional<std::filesystem::path> load_map, save_map;
   SettingsOptions settings;
   SegmentationOptions segmentation;
@@ -21,6 +21,7 @@ struct RunOptions {
   int debug_every = 10;            ///< a picture of every n-th frame
   bool localisation_only = false;  ///< leave the loaded map as it is
   bool realtime = false;           ///< frames come at the pace of their timestamps
+  bool inpaint_all = false;        ///< fill the background from later frames too
   bool quiet = false;
 };
 

@@ -88,6 +88,7 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
     }
     if (outputs.masks != nullptr) outputs.masks->add_frame(result);
     if (outputs.mask_scoring != nullptr) outputs.mask_scoring->add_frame(result);
+    if (outputs.mask_record != nullptr) outputs.mask_record->add_frame(result);
     if (interrupts.interrupted()) {
       // Said here, because the signal ends the program as soon as the watch is gone.
       progress.message(fmt::format("stdc-slam: interrupted after {} of {} frames; nothing was written",

@@ -7,6 +7,7 @@
 #include "report/run_record.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/mask_scoring.hpp"
+#include "run/mask_record.hpp"
 #include "run/saved_masks.hpp"
 #include "run/sequence_input.hpp"
 #include "slam/slam.hpp"
@@ -25,6 +26,7 @@ struct FrameOutputs {
   DebugImages* pictures = nullptr;
   SavedMasks* masks = nullptr;
   MaskScoring* mask_scoring = nullptr;
+  MaskRecord* mask_record = nullptr;
 };
 
 /// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and

@@ -1,0 +1,20 @@
+#include "run/mask_record.hpp"
+
+#include "core/image_codec.hpp"
+
+namespace stdc::app {
+
+void MaskRecord::add_frame(const TrackingResult& result) {
+  masks_.emplace_back();
+  if (result.dynamic_mask.empty()) return;
+  masks_.back() = {result.dynamic_mask.size(), encode_png(result.dynamic_mask, PngEffort::fast)};
+}
+
+cv::Mat MaskRecord::mask(int frame) const {
+  if (frame < 0 || frame >= static_cast<int>(masks_.size())) return {};
+  const Compressed& one = masks_[static_cast<std::size_t>(frame)];
+  if (one.png.empty()) return {};
+  return decode_png_colour(one.png, one.size, ColourMode::grey).image;
+}
+
+}  // namespace stdc::app
