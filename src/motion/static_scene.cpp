@@ -190,6 +190,9 @@ std::vector<float> StaticScene::changed_share(const SceneFrame& frame, const Sce
   const int width = geometry_.width(), height = geometry_.height();
   std::vector<float> share(again.size(), 0);
   if (frame.grid.grey.empty() || view.grid.grey.empty()) return share;
+  bool in_doubt = false;
+  for (std::size_t i = 0; i < again.size() && !in_doubt; ++i) in_doubt = again[i] >= 0 && view.doubtful[i] != 0;
+  if (!in_doubt) return share;  // nobody will ask
   double sum_now = 1, sum_then = 1;
   for (std::size_t i = 0; i < again.size(); ++i) {
     if (again[i] < 0 || view.doubtful[i] != 0) continue;
