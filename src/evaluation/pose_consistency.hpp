@@ -21,7 +21,8 @@ struct CovariantPose {
 struct PoseConsistency {
   int poses = 0;
   double position = 0, rotation = 0;  ///< mean over the poses
-  double beyond = 0;  ///< share of the poses whose squared error is beyond its 95 % quantile: 0.05 is expected
+  double beyond =
+      0;  ///< share of the poses whose squared error is beyond its 95 % quantile: 0.05 is expected
 };
 
 /// @param truth                of the camera in its world

@@ -8,8 +8,8 @@ namespace {
 
 /// The middle one of the depths around a pixel; 0 if fewer than two of the five are there.
 float middle_depth(const cv::Mat& depth, int x, int y, int reach, float metres_per_unit) {
-  const std::array<cv::Point, 5> pattern{cv::Point(0, 0), {-reach, -reach}, {reach, -reach}, {-reach, reach},
-                                         {reach, reach}};
+  const std::array<cv::Point, 5> pattern{
+      cv::Point(0, 0), {-reach, -reach}, {reach, -reach}, {-reach, reach}, {reach, reach}};
   std::array<float, 5> values;
   int count = 0;
   for (const cv::Point& offset : pattern) {

@@ -29,8 +29,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   frame.reference = input.reference;
   frame.frame_from_reference = input.frame_from_reference;
   frame.map = input.map;
-  frame.grid = sample_grid(geometry_, camera_, input.motion, input.depth,
-                           settings_.time_tolerance);
+  frame.grid = sample_grid(geometry_, camera_, input.motion, input.depth, settings_.time_tolerance);
   frame.grid.grey = sample_grey(geometry_, small.levels[0]);
   if (input.cam_from_world) {
     frame.cam_from_world = *input.cam_from_world;

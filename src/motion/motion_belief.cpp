@@ -7,7 +7,7 @@ namespace stdc {
 namespace {
 
 constexpr float kUnseen = -0.6F;  ///< of a surface that has just come into view
-constexpr float kMax = 4;  ///< log-odds; a surface that changes its mind must not take too long
+constexpr float kMax = 4;         ///< log-odds; a surface that changes its mind must not take too long
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace stdc {
 
 /// Where what a cell shows would have been in the last frame if it moved.
 struct CellSource {
-  int cell = -1;  ///< -1: nothing that moves is expected there
+  int cell = -1;                                    ///< -1: nothing that moves is expected there
   Eigen::Vector2f shift = Eigen::Vector2f::Zero();  ///< to where it is now [cells]
   bool measured = false;                            ///< by points that were followed
 };

@@ -30,7 +30,7 @@ struct MotionFrame {
   bool is_keyframe = false;
   std::vector<MissingLandmark> missing;  ///< landmarks that should have been seen
   std::vector<Eigen::Vector2f> moving;   ///< raw pixels of keypoints that were found to move
-  cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
+  cv::Mat segmented;                     ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
 };
 
 /// How far a pose agrees with what is known of the static scene; see MotionReport.
@@ -52,8 +52,8 @@ class MotionDetector {
   /// @returns the missing landmarks that it looks through: what they belonged to has gone
   virtual std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
                                           const std::vector<MaskTile>& tiles) = 0;
-  /// How far the pose of a frame agrees with what is known, beside what is expected to move. Cheap: looks at a
-  /// sample. Nothing: the method cannot tell.
+  /// How far the pose of a frame agrees with what is known, beside what is expected to move. Cheap: looks at
+  /// a sample. Nothing: the method cannot tell.
   /// @param small     the frame, shrunk; of it the brightness
   /// @param depth     of the frame, as in RgbdImage
   /// @param expected  CV_8UC1, 255 = dynamic, or empty

@@ -145,7 +145,7 @@ void StaticScene::learn(const SceneFrame& frame) {
 }
 
 void StaticScene::learn_from(const SceneFrame& frame, SceneView& view) {
-  constexpr double kMaxStep = 0.2;  // [s] what lies between two comparisons was not seen
+  constexpr double kMaxStep = 0.2;                // [s] what lies between two comparisons was not seen
   constexpr float kLoss = 1.0F, kReserve = 2.0F;  // [s]
   const auto elapsed = static_cast<float>(std::min(frame.timestamp - view.checked, kMaxStep));
   view.checked = frame.timestamp;
@@ -191,7 +191,8 @@ std::vector<float> StaticScene::changed_share(const SceneFrame& frame, const Sce
   std::vector<float> share(again.size(), 0);
   if (frame.grid.grey.empty() || view.grid.grey.empty()) return share;
   bool in_doubt = false;
-  for (std::size_t i = 0; i < again.size() && !in_doubt; ++i) in_doubt = again[i] >= 0 && view.doubtful[i] != 0;
+  for (std::size_t i = 0; i < again.size() && !in_doubt; ++i)
+    in_doubt = again[i] >= 0 && view.doubtful[i] != 0;
   if (!in_doubt) return share;  // nobody will ask
   double sum_now = 1, sum_then = 1;
   for (std::size_t i = 0; i < again.size(); ++i) {
@@ -292,8 +293,7 @@ StaticScene::Agreement StaticScene::agreement(const std::vector<Sample>& samples
   return result;
 }
 
-void StaticScene::add(const SceneFrame& frame, std::vector<float> rest,
-                      std::vector<std::uint8_t> doubtful) {
+void StaticScene::add(const SceneFrame& frame, std::vector<float> rest, std::vector<std::uint8_t> doubtful) {
   SceneView view;
   view.frame = frame.number;
   view.timestamp = view.checked = frame.timestamp;

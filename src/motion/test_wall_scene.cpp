@@ -65,7 +65,8 @@ void WallScene::draw(const Eigen::Vector3d& centre, cv::Mat& grey, cv::Mat& dept
       const double slide = index < 0 ? 0 : panels[static_cast<std::size_t>(index)].slide;
       grey.at<std::uint8_t>(v, u) =
           static_cast<std::uint8_t>(texture(seed, centre.x() + x * z - slide, centre.y() + y * z));
-      depth.at<std::uint16_t>(v, u) = static_cast<std::uint16_t>(std::lround(z * camera.depth_units_per_metre));
+      depth.at<std::uint16_t>(v, u) =
+          static_cast<std::uint16_t>(std::lround(z * camera.depth_units_per_metre));
     }
   }
 }

@@ -1,5 +1,5 @@
-// What the whole system makes of large things that move, without any segmentation: a pose that is called ok is
-// right, and what cannot be known is said to be so.
+// What the whole system makes of large things that move, without any segmentation: a pose that is called ok
+// is right, and what cannot be known is said to be so.
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
@@ -16,11 +16,13 @@ using test::Walk;
 class Board {
  public:
   /// `contrast`: of the texture, 1 = the whole range; a weak one gives fewer keypoints than the room has.
-  Board(int width, int height, double depth, std::uint64_t seed, double contrast = 1) : depth_(depth), texture_(height, width, CV_8UC3) {
+  Board(int width, int height, double depth, std::uint64_t seed, double contrast = 1)
+      : depth_(depth), texture_(height, width, CV_8UC3) {
     Random random(seed);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        for (int c = 0; c < 3; ++c) texture_.at<cv::Vec3b>(y, x)[c] = static_cast<std::uint8_t>(random.below(256));
+        for (int c = 0; c < 3; ++c)
+          texture_.at<cv::Vec3b>(y, x)[c] = static_cast<std::uint8_t>(random.below(256));
       }
     }
     cv::GaussianBlur(texture_, texture_, {}, 2);
@@ -151,7 +153,8 @@ TEST(MotionFaults, WhatWasTakenAwayLosesItsLandmarks) {
   walk.slam.finish();
   const auto near_landmarks = [&] {
     int count = 0;
-    for (const Eigen::Vector3d& p : walk.slam.landmark_positions()) count += std::abs(p.z() - 1) < 0.05 ? 1 : 0;
+    for (const Eigen::Vector3d& p : walk.slam.landmark_positions())
+      count += std::abs(p.z() - 1) < 0.05 ? 1 : 0;
     return count;
   };
   EXPECT_GT(near_landmarks(), 20);

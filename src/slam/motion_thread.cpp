@@ -33,7 +33,7 @@ cv::Mat MotionThread::expected() {
 }
 
 std::optional<PoseAgreement> MotionThread::agreement(const Pose& cam_from_world, MapId map,
-                                              const AtlasSnapshot& snapshot) {
+                                                     const AtlasSnapshot& snapshot) {
   motion_->follow(snapshot);
   return motion_->agreement(cam_from_world, map, propagator_.newest(), depth_, expected_);
 }

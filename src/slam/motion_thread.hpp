@@ -37,7 +37,8 @@ class MotionThread {
   cv::Mat doubtful();
   /// Share of what is known of the static scene that a pose of the present frame explains; see MotionReport.
   /// After expected(), before observe().
-  std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map, const AtlasSnapshot& snapshot);
+  std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map,
+                                         const AtlasSnapshot& snapshot);
   /// Landmarks that the frames observed so far looked through, since the last call; after expected() or
   /// found().
   std::vector<LandmarkId> take_gone() { return std::exchange(gone_, {}); }

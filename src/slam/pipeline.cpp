@@ -54,7 +54,8 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   if (motion_) observe_motion(frame, result);
   extend_map(frame, result);
   describe(frame, result);
-  if (settings_.system.report_keypoints || settings_.system.report_masks) result.dynamic_mask = dynamic_mask();
+  if (settings_.system.report_keypoints || settings_.system.report_masks)
+    result.dynamic_mask = dynamic_mask();
   result.milliseconds.total = total.lap_ms();
   result.milliseconds.total_cpu = thread_cpu_ms() - cpu_start;
   return result;

@@ -79,12 +79,12 @@ class Pipeline {
   Tracker tracker_;
   Relocaliser relocaliser_;
   LocalMap local_map_;
-  cv::Mat segmented_;  ///< the present frame's mask of the segmenter; empty: none
-  bool covered_ = false;         ///< most of the view moved when it was last tracked
-  int unsupported_frames_ = 0;  ///< tracked in a row by temporary points alone
-  bool landmarks_removed_ = false;  ///< since the snapshot was made
+  cv::Mat segmented_;                     ///< the present frame's mask of the segmenter; empty: none
+  bool covered_ = false;                  ///< most of the view moved when it was last tracked
+  int unsupported_frames_ = 0;            ///< tracked in a row by temporary points alone
+  bool landmarks_removed_ = false;        ///< since the snapshot was made
   std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark
-  int observed_frame_ = -1;  ///< the last one whose motion was looked for
+  int observed_frame_ = -1;               ///< the last one whose motion was looked for
   int next_frame_ = 0;
   std::optional<double> last_time_;
   int last_keyframe_frame_ = -1;

@@ -19,10 +19,10 @@ namespace stdc {
 enum class TrackingStatus {
   initialising,  ///< no map yet: too few keypoints with depth so far
   ok,            ///< it has a pose
-  uncertain,     ///< it has a pose, which too little of the static scene agrees with: a guess to go on from, of
-                 ///< which nothing is made; it is not part of the trajectory
-  lost,          ///< it has none; tracking goes on trying
-  skipped,       ///< not processed: unreadable image, or a time that is not later than the last
+  uncertain,  ///< it has a pose, which too little of the static scene agrees with: a guess to go on from, of
+              ///< which nothing is made; it is not part of the trajectory
+  lost,       ///< it has none; tracking goes on trying
+  skipped,    ///< not processed: unreadable image, or a time that is not later than the last
 };
 
 /// Whether a frame of that status has a pose.
@@ -69,7 +69,7 @@ struct TrackingResult {
   /// Of the pose, for a left perturbation exp(twist) * cam_from_world, twist = (translation [m], rotation
   /// [rad]) in the axes of the camera. Calibrated on rendered sequences: see docs/motion.md.
   std::optional<Matrix6d> covariance;
-  MapId map;                           ///< the map that the pose is in; invalid: none
+  MapId map;                                  ///< the map that the pose is in; invalid: none
   int keypoints_high = 0, keypoints_low = 0;  ///< by quality
   int matches = 0;  ///< keypoints matched to the map, before the first optimisation with the local map
   int inliers = 0;  ///< of which agree with the pose in the end
@@ -79,7 +79,7 @@ struct TrackingResult {
   std::optional<double> place_recognition_ms;  ///< the same keyframe: wall, looking for a place seen before
   std::optional<LoopReport> loop;              ///< the loop that was collected at this frame
   std::optional<SegmentationReport> segmentation;  ///< if there is a segmenter
-  std::optional<MotionReport> motion;             ///< if moving things are looked for
+  std::optional<MotionReport> motion;              ///< if moving things are looked for
   std::vector<Keypoint> keypoints;                 ///< raw pixels; filled if SystemSettings.report_keypoints
   std::vector<KeypointState> keypoint_states;      ///< same length
   cv::Mat dynamic_mask;  ///< CV_8UC1, 255 = dynamic, or empty; filled if SystemSettings.report_masks or

@@ -62,7 +62,8 @@ KeyframeId insert_keyframe(Atlas& atlas, const SensorModel& sensor, TrackedFrame
   for (int i = 0; i < features.size(); ++i) {
     LandmarkId& landmark = frame.landmarks[i];
     if (landmark.valid() && (!atlas.has(landmark) || !atlas.observe(keyframe, i, landmark))) landmark = {};
-    if (!landmark.valid() && frame.dynamic[i] == 0 && frame.measurements[i].depth > 0) free_with_depth.push_back(i);
+    if (!landmark.valid() && frame.dynamic[i] == 0 && frame.measurements[i].depth > 0)
+      free_with_depth.push_back(i);
   }
   std::stable_sort(free_with_depth.begin(), free_with_depth.end(),
                    [&](int a, int b) { return frame.measurements[a].depth < frame.measurements[b].depth; });

@@ -16,7 +16,7 @@ using Matrix36d = Eigen::Matrix<double, 3, 6>;
 /// One match: its residual (pixel, inverse depth) and weights, and how both depend on the pose.
 struct Term {
   int match = 0;
-  Vector3d point;     ///< in the camera [m]
+  Vector3d point;  ///< in the camera [m]
   Eigen::Vector2d pixel;
   Vector3d residual;  ///< measured minus projected [px, px, 1/m]; 0 where no depth was measured
   Vector3d weight;    ///< 1 / sigma^2
@@ -56,7 +56,7 @@ Term make_term(const SensorModel& sensor, const TrackedFrame& frame, const Frame
 bool contradicts(const Camera& camera, const Matrix6d& information, double blur,
                  const std::vector<const Term*>& group) {
   constexpr std::size_t kMinSize = 5;
-  constexpr double kMinShift = 1.5;  // [px]
+  constexpr double kMinShift = 1.5;   // [px]
   constexpr double kMapError = 0.45;  // [px] the map's own errors do not average out in a group either
   constexpr double kGate = 9.2;       // chi-square, 2 degrees, 99 %
   if (group.size() < kMinSize) return false;

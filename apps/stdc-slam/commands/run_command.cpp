@@ -73,8 +73,9 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
       ->capture_default_str()
       ->needs(debug_images);
-  command.add_option("--save-masks", options.save_masks,
-                     "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
+  command.add_option(
+      "--save-masks", options.save_masks,
+      "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
   command.add_option("--true-masks", options.true_masks,
                      "Folder of true masks, named like --masks, to score the masks of what moves against");
   CLI::Option* inpaint = command.add_option(

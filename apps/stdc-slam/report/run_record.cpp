@@ -60,8 +60,7 @@ std::string motion_columns(const std::optional<MotionReport>& report) {
 
 std::string loop_columns(const std::optional<LoopReport>& loop) {
   if (!loop) return ",,";
-  return fmt::format(",{},{:.3f}", loop->merged ? "merge" : "loop",
-                     loop->detection_ms + loop->correction_ms);
+  return fmt::format(",{},{:.3f}", loop->merged ? "merge" : "loop", loop->detection_ms + loop->correction_ms);
 }
 
 /// Those held fixed included.

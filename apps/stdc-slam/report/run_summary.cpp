@@ -129,9 +129,10 @@ std::string summary_text(const RunSummary& summary, const RunRecord& record) {
   text += record.segmentation_text();
   if (summary.masks) {
     const MaskScores masks = score_mask(summary.masks->counts);
-    text += fmt::format("masks of what moves against the true ones: IoU {}, precision {}, recall {} % ({} frames)\n",
-                        to_text(masks.iou, 1, 100), to_text(masks.precision, 1, 100),
-                        to_text(masks.recall, 1, 100), summary.masks->frames);
+    text += fmt::format(
+        "masks of what moves against the true ones: IoU {}, precision {}, recall {} % ({} frames)\n",
+        to_text(masks.iou, 1, 100), to_text(masks.precision, 1, 100), to_text(masks.recall, 1, 100),
+        summary.masks->frames);
   }
   text += fmt::format("CPU {:.1f} s in all, peak memory {:.0f} MB, first frame after {:.2f} s\n",
                       summary.usage.cpu_seconds, summary.usage.peak_memory_mb, record.start_up_seconds());

@@ -43,9 +43,9 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
   summary.score = score_run(input, trajectories.frames);
   if (!summary.score.warning.empty()) fmt::print(stderr, "stdc-slam: {}\n", summary.score.warning);
   if (summary.score.scores) {
-    summary.consistency = pose_consistency(apply_convention(*input.truth, summary.score.convention),
-                                           summary.score.scores->truth_from_estimate,
-                                           record.covariant_poses(trajectories.map));
+    summary.consistency =
+        pose_consistency(apply_convention(*input.truth, summary.score.convention),
+                         summary.score.scores->truth_from_estimate, record.covariant_poses(trajectories.map));
   }
   summary.usage = process_usage();
   return summary;
