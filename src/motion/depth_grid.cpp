@@ -115,7 +115,7 @@ DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const 
   const int reach = std::max(1, geometry.scale() / 4);
   for (int y = 0; y < geometry.height(); ++y) {
     for (int x = 0; x < geometry.width(); ++x) {
-      const auto cell = static_cast<std::size_t>(y * geometry.width() + x);
+      const auto cell = geometry.index(x, y);
       Eigen::Vector2f raw = geometry.raw_pixels()[cell];
       if (motion.readout_time != 0 && raw.x() >= 0) {
         const auto seconds = static_cast<float>(motion.row_time(static_cast<double>(raw.y())));

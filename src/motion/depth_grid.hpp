@@ -21,6 +21,11 @@ class GridGeometry {
   int width() const { return width_; }
   int height() const { return height_; }
   int size() const { return width_ * height_; }
+  /// Of a cell in lists of all cells.
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(column);
+  }
   int scale() const { return scale_; }  ///< side of a cell [raw px], about
   float focal_x() const { return focal_x_; }
   float focal_y() const { return focal_y_; }

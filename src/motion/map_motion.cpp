@@ -83,7 +83,7 @@ std::vector<LandmarkId> MapMotion::find_gone(const SceneFrame& frame,
     const float y = geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y();
     const int u = static_cast<int>(std::lround(x)), v = static_cast<int>(std::lround(y));
     if (u < 0 || v < 0 || u >= geometry_.width() || v >= geometry_.height()) continue;
-    const float near = frame.grid.near[static_cast<std::size_t>(v * geometry_.width() + u)];
+    const float near = frame.grid.near[geometry_.index(u, v)];
     if (near > point.z() + 1.5F * scene_.tolerance(point.z())) gone.push_back(landmark.id);
   }
   return gone;
@@ -97,8 +97,7 @@ std::optional<PoseAgreement> MapMotion::agreement(const Pose& cam_from_world, Ma
   const auto metres_per_unit = static_cast<float>(1 / camera_.depth_units_per_metre);
   for (int y = kStep / 2; y < geometry_.height(); y += kStep) {
     for (int x = kStep / 2; x < geometry_.width(); x += kStep) {
-      const Eigen::Vector2f& raw =
-          geometry_.raw_pixels()[static_cast<std::size_t>(y * geometry_.width() + x)];
+      const Eigen::Vector2f& raw = geometry_.raw_pixels()[geometry_.index(x, y)];
       const int u = static_cast<int>(std::lround(raw.x())), v = static_cast<int>(std::lround(raw.y()));
       if (u < 0 || v < 0 || u >= depth.cols || v >= depth.rows) continue;
       if (!expected.empty() && expected.at<std::uint8_t>(v, u) != 0) continue;
@@ -151,14 +150,13 @@ std::vector<CellSource> MapMotion::sources(const std::vector<MaskTile>& tiles) c
   const std::vector<int>& cells = geometry_.cell_of_square();
   for (int y = 0; y < geometry_.height(); ++y) {
     for (int x = 0; x < geometry_.width(); ++x) {
-      const int cell = cells[static_cast<std::size_t>(y * geometry_.width() + x)];
+      const int cell = cells[geometry_.index(x, y)];
       const MaskTile* tile = cell < 0 ? nullptr : map.at(x, y);
       if (tile == nullptr) continue;
       const int u = x - static_cast<int>(std::lround(tile->shift.x()));
       const int v = y - static_cast<int>(std::lround(tile->shift.y()));
       if (u < 0 || v < 0 || u >= geometry_.width() || v >= geometry_.height()) continue;
-      source[static_cast<std::size_t>(cell)] = {cells[static_cast<std::size_t>(v * geometry_.width() + u)],
-                                                tile->shift, tile->measured};
+      source[static_cast<std::size_t>(cell)] = {cells[geometry_.index(u, v)], tile->shift, tile->measured};
     }
   }
   return source;
@@ -173,7 +171,7 @@ std::vector<std::uint8_t> MapMotion::cells_of(const std::vector<Eigen::Vector2f>
     const int y = static_cast<int>((pixel.y() + 0.5F) / scale);
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, geometry_.height() - 1); ++v) {
       for (int u = std::max(x - 1, 0); u <= std::min(x + 1, geometry_.width() - 1); ++u) {
-        const int cell = geometry_.cell_of_square()[static_cast<std::size_t>(v * geometry_.width() + u)];
+        const int cell = geometry_.cell_of_square()[geometry_.index(u, v)];
         if (cell >= 0) cells[static_cast<std::size_t>(cell)] = 1;
       }
     }
@@ -212,7 +210,7 @@ cv::Mat MapMotion::moving_cells() const {
 
 cv::Mat MapMotion::mask() const {
   const cv::Mat moving = moving_cells();
-  const cv::Mat mask = in_pixels(moving);
+  cv::Mat mask = in_pixels(moving);
   if (depth_.empty() || cv::countNonZero(moving) == 0) return mask;
   return settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
 }
@@ -231,7 +229,7 @@ cv::Mat MapMotion::in_pixels(const cv::Mat& cells) const {
   const int scale = geometry_.scale();
   for (int y = 0; y < geometry_.height(); ++y) {
     for (int x = 0; x < geometry_.width(); ++x) {
-      const int cell = cell_of[static_cast<std::size_t>(y * geometry_.width() + x)];
+      const int cell = cell_of[geometry_.index(x, y)];
       if (cell >= 0 && cells.data[cell] != 0) mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
     }
   }

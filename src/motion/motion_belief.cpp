@@ -9,6 +9,11 @@ namespace {
 constexpr float kUnseen = -0.6F;  ///< of a surface that has just come into view
 constexpr float kMax = 4;         ///< log-odds; a surface that changes its mind must not take too long
 
+/// The cell that lies `offset` further on in a list of all cells.
+std::size_t neighbour(std::size_t cell, int offset) {
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + offset);
+}
+
 }  // namespace
 
 void MotionBelief::reset() { log_odds_.clear(); }
@@ -25,7 +30,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
   const int width = geometry_.width(), height = geometry_.height();
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const auto cell = static_cast<std::size_t>(y * width + x);
+      const auto cell = geometry_.index(x, y);
       const float depth = now.depth[cell];
       const float assumed = depth > 0 ? depth : 3;
       const Eigen::Vector3f point =
@@ -38,7 +43,7 @@ void MotionBelief::carry(const DepthGrid& last, const DepthGrid& now, const Pose
         at_rest = Eigen::Vector2f(static_cast<float>(x) - from_x, static_cast<float>(y) - from_y);
         const int u = static_cast<int>(std::lround(from_x)), v = static_cast<int>(std::lround(from_y));
         if (u >= 0 && v >= 0 && u < width && v < height) {
-          const auto from = static_cast<std::size_t>(v * width + u);
+          const auto from = geometry_.index(u, v);
           const float known = last.depth[from];
           const float tolerated = kSameSurface + kSameSurfaceGrowth * point.z() * point.z();
           const bool same = depth != 0 && known != 0 && std::abs(known - point.z()) < tolerated;
@@ -102,14 +107,13 @@ void MotionBelief::fill_unknown(const DepthGrid& now) {
   const int width = geometry_.width(), height = geometry_.height();
   if (unknown_.size() != log_odds_.size()) return;
   const auto fill = [&](int x, int y, std::initializer_list<int> offsets) {
-    const int cell = y * width + x;
-    const auto i = static_cast<std::size_t>(cell);
+    const std::size_t i = geometry_.index(x, y);
     const float depth = now.depth[i];
     if (unknown_[i] == 0 || depth == 0) return;
     const float reach = 1 / (kLink + kLinkGrowth * depth);
     float sum = 0, links = 0;
     for (const int offset : offsets) {
-      const auto other = static_cast<std::size_t>(cell + offset);
+      const std::size_t other = neighbour(i, offset);
       if (unknown_[other] == 1 || now.depth[other] == 0) continue;
       const float link = std::max(0.0F, 1 - std::abs(now.depth[other] - depth) * reach);
       sum += link * log_odds_[other];
@@ -142,19 +146,18 @@ void MotionBelief::smooth(const DepthGrid& now) {
     before = log_odds_;
     for (int y = 1; y + 1 < height; ++y) {
       for (int x = 1; x + 1 < width; ++x) {
-        const int cell = y * width + x;
-        const float depth = now.depth[static_cast<std::size_t>(cell)];
+        const std::size_t i = geometry_.index(x, y);
+        const float depth = now.depth[i];
         if (depth == 0) continue;
         const float reach = 1 / (kLink + kLinkGrowth * depth);
         float sum = 0, links = 0;
         for (const int offset : {-width - 1, -width, -width + 1, -1, 1, width - 1, width, width + 1}) {
-          const auto other = static_cast<std::size_t>(cell + offset);
+          const std::size_t other = neighbour(i, offset);
           const float there = now.depth[other];
           const float link = there == 0 ? 0 : std::max(0.0F, 1 - std::abs(there - depth) * reach);
           sum += link * before[other];
           links += link;
         }
-        const auto i = static_cast<std::size_t>(cell);
         if (links > 0.1F) log_odds_[i] += share * (sum / links - before[i]);
       }
     }

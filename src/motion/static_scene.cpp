@@ -204,12 +204,12 @@ std::vector<float> StaticScene::changed_share(const SceneFrame& frame, const Sce
   cv::Mat changed(height, width, CV_8UC1, cv::Scalar(0)), compared = changed.clone();
   for (int y = 1; y + 1 < height; ++y) {
     for (int x = 1; x + 1 < width; ++x) {
-      const auto i = static_cast<std::size_t>(y * width + x);
+      const auto i = geometry_.index(x, y);
       if (again[i] < 0) continue;
       int darkest = 255, brightest = 0;
       for (int v = -1; v <= 1; ++v) {
         for (int u = -1; u <= 1; ++u) {
-          const int grey = view.grid.grey[i + static_cast<std::size_t>(v * width + u)];
+          const int grey = view.grid.grey[i + geometry_.index(u, v)];
           darkest = std::min(darkest, grey);
           brightest = std::max(brightest, grey);
         }
@@ -240,7 +240,7 @@ bool StaticScene::looks_alike(const SceneView& view, int cell, float grey) const
   float darkest = 255, brightest = 0;
   for (int v = y - 1; v <= y + 1; ++v) {
     for (int u = x - 1; u <= x + 1; ++u) {
-      const float there = view.grid.grey[static_cast<std::size_t>(v * width + u)];
+      const float there = view.grid.grey[geometry_.index(u, v)];
       darkest = std::min(darkest, there);
       brightest = std::max(brightest, there);
     }
