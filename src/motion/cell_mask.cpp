@@ -1,22 +1,28 @@
 #include "motion/cell_mask.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "segmentation/propagation/mask_settling.hpp"
 
 namespace stdc {
 
-cv::Mat mask_of_squares(const std::vector<std::uint8_t>& squares, int scale, const Camera& camera,
-                        const cv::Mat& depth) {
+cv::Mat draw_squares(const std::vector<std::uint8_t>& squares, int scale, const Camera& camera) {
   cv::Mat mask(camera.height, camera.width, CV_8UC1, cv::Scalar(0));
   const int columns = camera.width / scale;
-  bool any = false;
   for (std::size_t i = 0; i < squares.size(); ++i) {
     if (squares[i] == 0) continue;
     const int x = static_cast<int>(i) % columns, y = static_cast<int>(i) / columns;
     mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
-    any = true;
   }
+  return mask;
+}
+
+cv::Mat mask_of_squares(const std::vector<std::uint8_t>& squares, int scale, const Camera& camera,
+                        const cv::Mat& depth) {
+  cv::Mat mask = draw_squares(squares, scale, camera);
+  const bool any =
+      std::any_of(squares.begin(), squares.end(), [](std::uint8_t square) { return square != 0; });
   return any ? settle_by_depth(mask, depth, camera.depth_units_per_metre) : mask;
 }
 

@@ -9,8 +9,12 @@
 
 namespace stdc {
 
-/// The mask of some squares of raw pixels, its outline drawn by the depth image.
+/// The mask of some squares of raw pixels as they are.
 /// @param squares  not 0 = dynamic: camera.width / scale of them in a row, row by row
+/// @returns CV_8UC1 of the camera's size, 255 = dynamic
+cv::Mat draw_squares(const std::vector<std::uint8_t>& squares, int scale, const Camera& camera);
+
+/// The same, its outline drawn by the depth image.
 /// @param depth    as in RgbdImage, of the camera's size
 /// @returns CV_8UC1 of the camera's size, 255 = dynamic
 cv::Mat mask_of_squares(const std::vector<std::uint8_t>& squares, int scale, const Camera& camera,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "segmentation/propagation/mask_settling.hpp"
+#include "motion/cell_mask.hpp"
 #include "segmentation/propagation/propagation_frame.hpp"
 #include "segmentation/propagation/tile_map.hpp"
 
@@ -44,7 +44,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   }
   doubtful_.assign(frame.grid.depth.size(), 0);
   std::vector<std::uint8_t> segmented(frame.grid.depth.size(), 0);
-  if (!input.segmented.empty()) segmented = shrink_mask(input.segmented);
+  if (!input.segmented.empty()) segmented = cells_of_mask(input.segmented, geometry_);
   if (input.cam_from_world) {
     scene_.choose(frame);
     std::vector<CellFinding> findings = scene_.compare(frame);
@@ -179,61 +179,35 @@ std::vector<std::uint8_t> MapMotion::cells_of(const std::vector<Eigen::Vector2f>
   return cells;
 }
 
-/// Of each cell whether the middle of it is in a mask.
-std::vector<std::uint8_t> MapMotion::shrink_mask(const cv::Mat& mask) const {
-  std::vector<std::uint8_t> cells(static_cast<std::size_t>(geometry_.size()), 0);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const Eigen::Vector2f& raw = geometry_.raw_pixels()[i];
-    const int x = static_cast<int>(std::lround(raw.x())), y = static_cast<int>(std::lround(raw.y()));
-    if (x >= 0 && y >= 0 && x < mask.cols && y < mask.rows) cells[i] = mask.at<std::uint8_t>(y, x);
-  }
-  return cells;
-}
-
 /// The cells that move: patches in which enough surely do.
-cv::Mat MapMotion::moving_cells() const {
-  cv::Mat cells(geometry_.height(), geometry_.width(), CV_8UC1, cv::Scalar(0));
-  if (belief_.log_odds().empty()) return cells;
-  for (std::size_t i = 0; i < cells.total(); ++i) cells.data[i] = belief_.moves(i) ? 255 : 0;
+std::vector<std::uint8_t> MapMotion::moving_cells() const {
+  std::vector<std::uint8_t> moving(static_cast<std::size_t>(geometry_.size()), 0);
+  if (belief_.log_odds().empty()) return moving;
+  cv::Mat cells(geometry_.height(), geometry_.width(), CV_8UC1, moving.data());
+  for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = belief_.moves(i) ? 255 : 0;
   cv::Mat labels;
   const int count = cv::connectedComponents(cells, labels, 8, CV_32S);
   const int* label = labels.ptr<int>();
   std::vector<int> sure(static_cast<std::size_t>(count), 0);
-  for (std::size_t i = 0; i < cells.total(); ++i) {
+  for (std::size_t i = 0; i < moving.size(); ++i) {
     sure[static_cast<std::size_t>(label[i])] += belief_.moves_surely(i) ? 1 : 0;
   }
-  for (std::size_t i = 0; i < cells.total(); ++i) {
-    if (sure[static_cast<std::size_t>(label[i])] < settings_.min_cells) cells.data[i] = 0;
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    if (sure[static_cast<std::size_t>(label[i])] < settings_.min_cells) moving[i] = 0;
   }
-  return cells;
+  return moving;
 }
 
 cv::Mat MapMotion::mask() const {
-  const cv::Mat moving = moving_cells();
-  cv::Mat mask = in_pixels(moving);
-  if (depth_.empty() || cv::countNonZero(moving) == 0) return mask;
-  return settle_by_depth(mask, depth_, camera_.depth_units_per_metre);
+  const std::vector<std::uint8_t> squares = squares_of_cells(moving_cells(), geometry_);
+  return depth_.empty() ? draw_squares(squares, geometry_.scale(), camera_)
+                        : mask_of_squares(squares, geometry_.scale(), camera_, depth_);
 }
 
 cv::Mat MapMotion::doubtful() const {
-  cv::Mat cells = moving_cells();
-  for (std::size_t i = 0; i < doubtful_.size(); ++i) {
-    if (doubtful_[i] != 0) cells.data[i] = 255;
-  }
-  return in_pixels(cells);
-}
-
-cv::Mat MapMotion::in_pixels(const cv::Mat& cells) const {
-  cv::Mat mask(camera_.height, camera_.width, CV_8UC1, cv::Scalar(0));
-  const std::vector<int>& cell_of = geometry_.cell_of_square();
-  const int scale = geometry_.scale();
-  for (int y = 0; y < geometry_.height(); ++y) {
-    for (int x = 0; x < geometry_.width(); ++x) {
-      const int cell = cell_of[geometry_.index(x, y)];
-      if (cell >= 0 && cells.data[cell] != 0) mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
-    }
-  }
-  return mask;
+  std::vector<std::uint8_t> cells = moving_cells();
+  for (std::size_t i = 0; i < doubtful_.size(); ++i) cells[i] |= doubtful_[i];
+  return draw_squares(squares_of_cells(cells, geometry_), geometry_.scale(), camera_);
 }
 
 }  // namespace stdc

@@ -31,9 +31,7 @@ class MapMotion : public MotionDetector {
  private:
   std::vector<CellSource> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> cells_of(const std::vector<Eigen::Vector2f>& pixels) const;
-  std::vector<std::uint8_t> shrink_mask(const cv::Mat& mask) const;
-  cv::Mat moving_cells() const;
-  cv::Mat in_pixels(const cv::Mat& cells) const;
+  std::vector<std::uint8_t> moving_cells() const;
   std::vector<LandmarkId> find_gone(const SceneFrame& frame,
                                     const std::vector<MissingLandmark>& missing) const;
   void remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
