@@ -34,6 +34,27 @@ struct GridProjection {
   }
 };
 
+/// Fills in between which brightnesses the pose of a view need not be exact. Cells at the edge have the range
+/// of the next one inwards.
+void find_brightness_range(const GridGeometry& geometry, SceneView& view) {
+  const std::vector<std::uint8_t>& grey = view.grid.grey;
+  view.darkest = view.brightest = grey;
+  if (grey.empty()) return;
+  for (int y = 0; y < geometry.height(); ++y) {
+    for (int x = 0; x < geometry.width(); ++x) {
+      const int column = std::clamp(x, 1, geometry.width() - 2),
+                row = std::clamp(y, 1, geometry.height() - 2);
+      const std::size_t cell = geometry.index(x, y);
+      for (int v = row - 1; v <= row + 1; ++v) {
+        for (int u = column - 1; u <= column + 1; ++u) {
+          view.darkest[cell] = std::min(view.darkest[cell], grey[geometry.index(u, v)]);
+          view.brightest[cell] = std::max(view.brightest[cell], grey[geometry.index(u, v)]);
+        }
+      }
+    }
+  }
+}
+
 /// Calls visit(cell, column, row) for every `step`-th cell both ways.
 template <typename Visit>
 void for_cells(const GridGeometry& geometry, int step, Visit&& visit) {
@@ -206,14 +227,7 @@ std::vector<float> StaticScene::changed_share(const SceneFrame& frame, const Sce
     for (int x = 1; x + 1 < width; ++x) {
       const auto i = geometry_.index(x, y);
       if (again[i] < 0) continue;
-      int darkest = 255, brightest = 0;
-      for (int v = -1; v <= 1; ++v) {
-        for (int u = -1; u <= 1; ++u) {
-          const int grey = view.grid.grey[i + geometry_.index(u, v)];
-          darkest = std::min(darkest, grey);
-          brightest = std::max(brightest, grey);
-        }
-      }
+      const int darkest = view.darkest[i], brightest = view.brightest[i];
       constexpr float kNoise = 10;
       const float now = frame.grid.grey[static_cast<std::size_t>(again[i])];
       compared.at<std::uint8_t>(y, x) = 1;
@@ -235,16 +249,8 @@ std::vector<float> StaticScene::changed_share(const SceneFrame& frame, const Sce
 /// Within the range of what is around the cell: the pose is right to about a cell.
 bool StaticScene::looks_alike(const SceneView& view, int cell, float grey) const {
   constexpr float kNoise = 12;
-  const int width = geometry_.width(), height = geometry_.height();
-  const int x = std::clamp(cell % width, 1, width - 2), y = std::clamp(cell / width, 1, height - 2);
-  float darkest = 255, brightest = 0;
-  for (int v = y - 1; v <= y + 1; ++v) {
-    for (int u = x - 1; u <= x + 1; ++u) {
-      const float there = view.grid.grey[geometry_.index(u, v)];
-      darkest = std::min(darkest, there);
-      brightest = std::max(brightest, there);
-    }
-  }
+  const auto i = static_cast<std::size_t>(cell);
+  const float darkest = view.darkest[i], brightest = view.brightest[i];
   return grey > darkest - kNoise && grey < brightest + kNoise;
 }
 
@@ -302,6 +308,7 @@ void StaticScene::add(const SceneFrame& frame, std::vector<float> rest, std::vec
   view.view_from_world = frame.cam_from_world;
   view.map = frame.map;
   view.grid = frame.grid;
+  find_brightness_range(geometry_, view);
   view.rest = std::move(rest);
   view.doubtful = std::move(doubtful);
   views_.push_back(std::move(view));

@@ -18,7 +18,8 @@ struct SceneView {
   KeyframeId reference;               ///< it moves with this keyframe
   Pose view_from_reference;
   DepthGrid grid;
-  std::vector<float> rest;             ///< of each cell: time for which its surface has been seen at rest [s]
+  std::vector<float> rest;  ///< of each cell: time for which its surface has been seen at rest [s]
+  std::vector<std::uint8_t> darkest, brightest;  ///< of each cell: of the 3 x 3 cells around it
   std::vector<std::uint8_t> doubtful;  ///< of each cell: 1 if its surface was thought to move at that time
   Pose view_from_world;                ///< as known now
   MapId map;                           ///< as known now
