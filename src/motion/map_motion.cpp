@@ -44,7 +44,8 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   }
   doubtful_.assign(frame.grid.depth.size(), 0);
   std::vector<std::uint8_t> segmented(frame.grid.depth.size(), 0);
-  if (!input.segmented.empty()) segmented = cells_of_mask(input.segmented, geometry_);
+  if (!input.segmented.empty())
+    segmented = inner_cells(cells_of_mask(input.segmented, geometry_), frame.grid);
   if (input.cam_from_world) {
     scene_.choose(frame);
     std::vector<CellFinding> findings = scene_.compare(frame);
@@ -160,6 +161,17 @@ std::vector<CellSource> MapMotion::sources(const std::vector<MaskTile>& tiles) c
     }
   }
   return source;
+}
+
+/// Of a segmenter's cells those well inside, and with depth: its outline is rough and often has the shadow of
+/// the depth camera in it. Where the body ends is for the depth to say.
+std::vector<std::uint8_t> MapMotion::inner_cells(std::vector<std::uint8_t> cells,
+                                                 const DepthGrid& grid) const {
+  const cv::Mat mask(geometry_.height(), geometry_.width(), CV_8UC1, cells.data());
+  cv::Mat inner;
+  cv::erode(mask, inner, cv::Mat());
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = grid.depth[i] > 0 ? inner.data[i] : 0;
+  return cells;
 }
 
 /// The cells of some raw pixels, each with those around it.

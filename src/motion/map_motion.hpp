@@ -31,6 +31,7 @@ class MapMotion : public MotionDetector {
  private:
   std::vector<CellSource> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> cells_of(const std::vector<Eigen::Vector2f>& pixels) const;
+  std::vector<std::uint8_t> inner_cells(std::vector<std::uint8_t> cells, const DepthGrid& grid) const;
   std::vector<std::uint8_t> moving_cells() const;
   std::vector<LandmarkId> find_gone(const SceneFrame& frame,
                                     const std::vector<MissingLandmark>& missing) const;

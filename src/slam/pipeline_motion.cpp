@@ -98,7 +98,9 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
 cv::Mat Pipeline::dynamic_mask() {
   if (!motion_) return segmented_;
   const cv::Mat& moving = motion_->found();
-  return segmented_.empty() ? moving : cv::Mat(segmented_ | moving);
+  // `map` has taken the segmenter's opinion in, and draws the outlines better.
+  const bool has_both = segmented_.empty() || settings_.motion.method == MotionMethod::map;
+  return has_both ? moving : cv::Mat(segmented_ | moving);
 }
 
 /// A landmark that frame after frame looks through is taken out of the map, when the atlas is at hand.
