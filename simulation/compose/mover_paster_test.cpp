@@ -8,19 +8,10 @@
 #include "simulation/sequence/camera_path.hpp"
 #include "simulation/sequence/dynamic_scene.hpp"
 #include "simulation/sequence/rendered_sequence.hpp"
+#include "simulation/test_small_camera.hpp"
 
 namespace stdc::simulation {
 namespace {
-
-Camera small_camera() {
-  Camera camera = default_render_camera();
-  camera.width = 96;
-  camera.height = 72;
-  camera.fx = camera.fy = 80;
-  camera.cx = 48;
-  camera.cy = 36;
-  return camera;
-}
 
 /// A board 1.2 m before a camera that looks along +y.
 class MoverPasterTest : public testing::Test {

@@ -8,6 +8,7 @@
 #include "simulation/light/ray_scene.hpp"
 #include "simulation/sequence/make_dynamic_scene.hpp"
 #include "simulation/sequence/rendered_sequence.hpp"
+#include "simulation/test_small_camera.hpp"
 
 namespace stdc::simulation {
 namespace {
@@ -16,14 +17,8 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 RenderSettings small_settings(bool with_movers = true) {
-  Camera camera = default_render_camera();
-  camera.width = 96;
-  camera.height = 72;
-  camera.fx = camera.fy = 80;
-  camera.cx = 48;
-  camera.cy = 37;
   RenderSettings settings;
-  settings.camera = camera;
+  settings.camera = small_camera();
   settings.with_people = with_movers;
   return settings;
 }

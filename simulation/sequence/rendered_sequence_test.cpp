@@ -6,21 +6,13 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
+#include "simulation/test_small_camera.hpp"
+
 namespace stdc::simulation {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-Camera small_camera() {
-  Camera camera = default_render_camera();
-  camera.width = 96;
-  camera.height = 72;
-  camera.fx = camera.fy = 80;
-  camera.cx = 48;
-  camera.cy = 37;
-  return camera;
-}
 
 RenderSettings small_settings() {
   RenderSettings settings;

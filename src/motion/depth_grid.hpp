@@ -34,6 +34,16 @@ class GridGeometry {
   /// x / z of a column and y / z of a row.
   float ray_x(int column) const { return rays_x_[static_cast<std::size_t>(column)]; }
   float ray_y(int row) const { return rays_y_[static_cast<std::size_t>(row)]; }
+  /// The cell that sees a point in the camera frame [m]; -1: none.
+  int cell_of(const Eigen::Vector3f& point) const {
+    constexpr float kMinDepth = 0.1F;
+    if (!(point.z() > kMinDepth)) return -1;
+    const float x = focal_x_ * point.x() / point.z() + centre_x_ + 0.5F;
+    const float y = focal_y_ * point.y() / point.z() + centre_y_ + 0.5F;
+    if (!(x >= 0 && y >= 0)) return -1;
+    const int u = static_cast<int>(x), v = static_cast<int>(y);
+    return u < width_ && v < height_ ? v * width_ + u : -1;
+  }
   /// Raw pixel at the middle of each cell; outside of the image where the lens shows nothing there.
   const std::vector<Eigen::Vector2f>& raw_pixels() const { return raw_pixels_; }
   /// Cell that a square of `scale` raw pixels lies in, of all squares row by row; -1: none.

@@ -23,14 +23,8 @@ struct GridProjection {
     const Eigen::Vector3f point =
         rotation * Eigen::Vector3f(geometry.ray_x(column) * depth, geometry.ray_y(row) * depth, depth) +
         translation;
-    constexpr float kMinDepth = 0.1F;
     there = point.z();
-    if (!(there > kMinDepth)) return -1;
-    const float x = geometry.focal_x() * point.x() / there + geometry.centre_x() + 0.5F;
-    const float y = geometry.focal_y() * point.y() / there + geometry.centre_y() + 0.5F;
-    if (!(x >= 0 && y >= 0)) return -1;
-    const int u = static_cast<int>(x), v = static_cast<int>(y);
-    return u < geometry.width() && v < geometry.height() ? v * geometry.width() + u : -1;
+    return geometry.cell_of(point);
   }
 };
 

@@ -24,7 +24,6 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   std::vector<LandmarkId> gone;
   depth_ = input.depth;
   SceneFrame frame;
-  frame.number = input.number;
   frame.timestamp = input.timestamp;
   frame.reference = input.reference;
   frame.frame_from_reference = input.frame_from_reference;
@@ -79,12 +78,9 @@ std::vector<LandmarkId> MapMotion::find_gone(const SceneFrame& frame,
   std::vector<LandmarkId> gone;
   for (const MissingLandmark& landmark : missing) {
     const Eigen::Vector3f point = (frame.cam_from_world * landmark.position).cast<float>();
-    if (!(point.z() > 0.1F)) continue;
-    const float x = geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x();
-    const float y = geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y();
-    const int u = static_cast<int>(std::lround(x)), v = static_cast<int>(std::lround(y));
-    if (u < 0 || v < 0 || u >= geometry_.width() || v >= geometry_.height()) continue;
-    const float near = frame.grid.near[geometry_.index(u, v)];
+    const int cell = geometry_.cell_of(point);
+    if (cell < 0) continue;
+    const float near = frame.grid.near[static_cast<std::size_t>(cell)];
     if (near > point.z() + 1.5F * scene_.tolerance(point.z())) gone.push_back(landmark.id);
   }
   return gone;
@@ -116,12 +112,11 @@ std::optional<PoseAgreement> MapMotion::agreement(const Pose& cam_from_world, Ma
   return agreement;
 }
 
-/// A view is worth its memory if it shows what no other has, or if the others are old.
+/// A view is worth its memory if it shows what no other has.
 void MapMotion::remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                          const std::vector<std::uint8_t>& segmented) {
-  constexpr double kMinGap = 0.4, kMaxGap = 3;  // [s]
+  constexpr double kMinGap = 0.4;  // [s]
   constexpr double kUnknown = 0.06;
-  const double gap = scene_.empty() ? kMaxGap : frame.timestamp - scene_.views().back().timestamp;
   int unknown = 0, with_depth = 0;
   for (std::size_t i = 0; i < findings.size(); ++i) {
     if (frame.grid.depth[i] == 0) continue;
@@ -129,7 +124,8 @@ void MapMotion::remember(const SceneFrame& frame, const std::vector<CellFinding>
     unknown += findings[i].seen ? 0 : 1;
   }
   const bool shows_more = unknown > kUnknown * with_depth;
-  if (!scene_.empty() && !(shows_more && gap >= kMinGap)) return;
+  const auto is_due = [&] { return frame.timestamp - scene_.views().back().timestamp >= kMinGap; };
+  if (!scene_.empty() && !(shows_more && is_due())) return;
   std::vector<float> rest(findings.size());
   std::vector<std::uint8_t> doubtful(findings.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {

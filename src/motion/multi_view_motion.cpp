@@ -85,7 +85,6 @@ void MultiViewMotion::find_moving(const DepthGrid& grid, const Pose& cam_from_wo
 
 std::vector<GrowthSeed> MultiViewMotion::seeds(const DepthGrid& grid, const Pose& cam_from_world,
                                                MapId map) const {
-  constexpr float kMinDepth = 0.1F;
   const auto tau = static_cast<float>(settings_.multi_view_tau);
   std::vector<int> votes(grid.depth.size(), 0);
   const double max_parallax = settings_.multi_view_parallax * std::numbers::pi / 180;
@@ -94,17 +93,14 @@ std::vector<GrowthSeed> MultiViewMotion::seeds(const DepthGrid& grid, const Pose
     const PointProjection project(cam_from_world * keyframe->keyframe_from_world.inverse(), max_parallax);
     for (const Eigen::Vector3f& seen : keyframe->points) {
       const Eigen::Vector3f point = project.rotation * seen + project.translation;
-      if (!(point.z() > kMinDepth) || !project.is_parallax_small(point)) continue;
-      const float column = geometry_.focal_x() * point.x() / point.z() + geometry_.centre_x();
-      const float row = geometry_.focal_y() * point.y() / point.z() + geometry_.centre_y();
-      const int x = static_cast<int>(std::lround(column)), y = static_cast<int>(std::lround(row));
-      if (x < 0 || y < 0 || x >= geometry_.width() || y >= geometry_.height()) continue;
-      const auto cell = static_cast<std::size_t>(y * geometry_.width() + x);
+      const int seen_at = geometry_.cell_of(point);
+      if (seen_at < 0 || !project.is_parallax_small(point)) continue;
+      const auto cell = static_cast<std::size_t>(seen_at);
       if (grid.depth[cell] == 0) continue;
       const float tolerance = static_cast<float>(settings_.depth_tolerance) +
                               static_cast<float>(settings_.depth_tolerance_growth) * point.z() * point.z();
       if (point.z() - grid.far[cell] > tau) {
-        if (!is_uncertain(grid, x, y)) ++votes[cell];
+        if (!is_uncertain(grid, seen_at % geometry_.width(), seen_at / geometry_.width())) ++votes[cell];
       } else if (point.z() > grid.near[cell] - tolerance && point.z() < grid.far[cell] + tolerance) {
         --votes[cell];
       }

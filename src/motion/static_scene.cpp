@@ -182,7 +182,6 @@ StaticScene::Agreement StaticScene::agreement(const std::vector<Sample>& samples
 
 void StaticScene::add(const SceneFrame& frame, std::vector<float> rest, std::vector<std::uint8_t> doubtful) {
   SceneView view;
-  view.frame = frame.number;
   view.timestamp = view.checked = frame.timestamp;
   view.reference = frame.reference;
   view.view_from_reference = frame.frame_from_reference;

@@ -13,7 +13,6 @@ namespace stdc {
 
 /// The depth of an earlier frame, and how sure it is that each surface in it rests.
 struct SceneView {
-  int frame = 0;
   double timestamp = 0, checked = 0;  ///< [s] of the frame; of the last comparison with a later one
   KeyframeId reference;               ///< it moves with this keyframe
   Pose view_from_reference;
@@ -27,7 +26,6 @@ struct SceneView {
 
 /// A frame that is compared with the earlier ones.
 struct SceneFrame {
-  int number = 0;
   double timestamp = 0;
   KeyframeId reference;
   Pose frame_from_reference;

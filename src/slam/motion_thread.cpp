@@ -32,15 +32,12 @@ cv::Mat MotionThread::expected() {
   return expected_;
 }
 
-std::optional<PoseAgreement> MotionThread::agreement(const Pose& cam_from_world, MapId map,
-                                                     const AtlasSnapshot& snapshot) {
-  motion_->follow(snapshot);
+std::optional<PoseAgreement> MotionThread::agreement(const Pose& cam_from_world, MapId map) const {
   return motion_->agreement(cam_from_world, map, propagator_.newest(), depth_, expected_);
 }
 
-void MotionThread::observe(MotionFrame frame, const AtlasSnapshot& snapshot) {
+void MotionThread::observe(MotionFrame frame) {
   worker_.wait();
-  motion_->follow(snapshot);
   frame.number = frame_;
   frame.grey = grey_;
   frame.depth = depth_;

@@ -28,17 +28,18 @@ class MotionThread {
   /// What is expected to move in the frame of the last begin(), waiting for it: CV_8UC1, 255 = dynamic; empty
   /// if nothing is known.
   cv::Mat expected();
+  /// Takes account of the keyframes' present poses; after expected(), before the two that follow.
+  void follow(const AtlasSnapshot& snapshot) { motion_->follow(snapshot); }
   /// Starts to find what does move in it.
   /// @param frame  without its images and number, which are known
-  void observe(MotionFrame frame, const AtlasSnapshot& snapshot);
+  void observe(MotionFrame frame);
   /// What does, waiting for it; like expected().
   const cv::Mat& found();
   /// The same and all that may move, of which no landmarks are to be made.
   cv::Mat doubtful();
   /// Share of what is known of the static scene that a pose of the present frame explains; see MotionReport.
   /// After expected(), before observe().
-  std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map,
-                                         const AtlasSnapshot& snapshot);
+  std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map) const;
   /// Landmarks that the frames observed so far looked through, since the last call; after expected() or
   /// found().
   std::vector<LandmarkId> take_gone() { return std::exchange(gone_, {}); }

@@ -50,6 +50,7 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   TrackedFrame frame = extract(image, result);
   collect(result);
   result.status = locate(frame, result.milliseconds);
+  if (motion_) motion_->follow(back_end_.snapshot());
   if (result.status == TrackingStatus::ok) judge(frame, result);
   if (motion_) observe_motion(frame, result);
   extend_map(frame, result);
@@ -210,8 +211,7 @@ void Pipeline::record(const TrackedFrame& frame) {
     tracker_.drop_counts();
     return;
   }
-  posed_.push_back({frame.index, frame.timestamp, local_map_.reference,
-                    frame.cam_from_world * local_map_.reference_from_world.inverse()});
+  posed_.push_back({frame.index, frame.timestamp, local_map_.reference, from_reference(frame)});
 }
 
 std::vector<LoopReport> Pipeline::finish() {

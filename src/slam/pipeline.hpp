@@ -53,6 +53,10 @@ class Pipeline {
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
   void reject_dynamic(TrackingResult& result);
   void collect(TrackingResult& result);
+  /// Where a tracked frame is relative to its reference keyframe.
+  Pose from_reference(const TrackedFrame& frame) const {
+    return frame.cam_from_world * local_map_.reference_from_world.inverse();
+  }
   void judge(const TrackedFrame& frame, TrackingResult& result);
   void note_gone();
   void observe_motion(const TrackedFrame& frame, const TrackingResult& result);

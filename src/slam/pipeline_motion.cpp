@@ -60,9 +60,9 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   }
   if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
   if (!motion_) return;
-  const Pose cam_from_world = back_end_.snapshot().cam_from_world(
-      local_map_.reference, frame.cam_from_world * local_map_.reference_from_world.inverse());
-  const auto agreement = motion_->agreement(cam_from_world, active_map_, back_end_.snapshot());
+  const Pose cam_from_world =
+      back_end_.snapshot().cam_from_world(local_map_.reference, from_reference(frame));
+  const auto agreement = motion_->agreement(cam_from_world, active_map_);
   if (!agreement) return;
   result.motion->agreement = agreement->depth;
   result.motion->likeness = agreement->looks;
@@ -85,13 +85,13 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
       if (frame.dynamic[i] != 0) observed.moving.emplace_back(keypoint.x, keypoint.y);
     }
     observed.reference = local_map_.reference;
-    observed.frame_from_reference = frame.cam_from_world * local_map_.reference_from_world.inverse();
+    observed.frame_from_reference = from_reference(frame);
     observed.map = active_map_;
     observed.cam_from_world =
         back_end_.snapshot().cam_from_world(observed.reference, observed.frame_from_reference);
   }
   observed_frame_ = frame.index;
-  motion_->observe(std::move(observed), back_end_.snapshot());
+  motion_->observe(std::move(observed));
 }
 
 /// All that is known of what moves in the present frame, once the tracker is done with it.
