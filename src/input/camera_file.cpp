@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "core/error.hpp"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr const char* kKeys =
     "give width, height, fx, fy, cx, cy and, if needed, lens, k1, k2, p1, p2, k3, k4, k5, k6, "
-    "depth_units_per_metre, frames_per_second, readout_time, rotation";
+    "depth_units_per_metre, frames_per_second, readout_time, rotation, depth_camera";
+constexpr const char* kFileHint = "give a camera file (see the README for its keys)";
 constexpr const char* kLenses = "give pinhole, radial-tangential, rational or equidistant";
 
 /// One key of the file: where its number goes, and whether it must be there.
@@ -125,30 +127,28 @@ void settle_lens(const YAML::Node& root, const std::string& name, Camera& camera
   }
 }
 
-}  // namespace
-
-Camera parse_camera(const std::string& yaml, const std::string& name) {
-  const YAML::Node root = parse_map(yaml, name);
+/// Reads the keys of a camera. What is not one of them goes to `other(word, entry value, where)`.
+template <typename Other>
+Camera parse_keys(const YAML::Node& root, const std::string& name, const Other& other) {
   Camera camera;
-  std::array<bool, kAllKeys.size()> seen{};
-  bool seen_lens = false;
+  std::set<std::string> seen;
   for (const auto& entry : root) {
     const std::string where = place(name, entry.first.Mark());
     const std::string word = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    if (!seen.insert(word).second) {  // a known one: others end here the first time
+      throw Error(where, fmt::format("{} is given twice", word), "remove one of them");
+    }
     const auto* key =
         std::find_if(kAllKeys.begin(), kAllKeys.end(), [&](const Key& k) { return word == k.name; });
-    const bool is_lens = word == "lens";
-    if (key == kAllKeys.end() && !is_lens) {
-      throw Error(where, fmt::format("unknown key {}", shown(word)), kKeys);
+    if (key != kAllKeys.end()) {
+      set(camera, *key, entry.second, where);
+    } else if (word != "lens") {
+      other(word, entry.second, where);
     }
-    bool& there = is_lens ? seen_lens : seen[static_cast<std::size_t>(key - kAllKeys.begin())];
-    if (there) throw Error(where, fmt::format("{} is given twice", word), "remove one of them");
-    there = true;
-    if (!is_lens) set(camera, *key, entry.second, where);
   }
-  for (std::size_t i = 0; i < kAllKeys.size(); ++i) {
-    if (kAllKeys[i].required && !seen[i]) {
-      throw Error(name, fmt::format("{} is missing", kAllKeys[i].name), kKeys);
+  for (const Key& key : kAllKeys) {
+    if (key.required && !seen.contains(key.name)) {
+      throw Error(name, fmt::format("{} is missing", key.name), kKeys);
     }
   }
   settle_lens(root, name, camera);
@@ -156,21 +156,119 @@ Camera parse_camera(const std::string& yaml, const std::string& name) {
   return camera;
 }
 
-Camera read_camera(const std::filesystem::path& path) {
-  return parse_camera(read_file(path, "give a camera file (see the README for its keys)"), path.string());
+[[noreturn]] void refuse_key(const std::string& word, const std::string& where) {
+  throw Error(where, fmt::format("unknown key {}", shown(word)), kKeys);
 }
 
-std::string format_camera(const Camera& camera) {
+/// The numbers of a list of `count`.
+std::vector<double> parse_list(const YAML::Node& node, const char* key, std::size_t count,
+                               const std::string& where) {
+  std::vector<double> numbers;
+  if (node.IsSequence() && node.size() == count) {
+    for (const YAML::Node& value : node) {
+      const std::optional<double> number = value.IsScalar() ? parse_number(value.Scalar()) : std::nullopt;
+      if (number && std::isfinite(*number)) numbers.push_back(*number);
+    }
+  }
+  if (numbers.size() == count) return numbers;
+  throw Error(where, fmt::format("{} is not a list of {} finite numbers", key, count),
+              "write it as [x, y, z] or [qx, qy, qz, qw]");
+}
+
+DepthCamera parse_depth_camera(const YAML::Node& node, const std::string& name, const std::string& where) {
+  constexpr std::array kOfTheColourCamera{"depth_units_per_metre", "frames_per_second", "readout_time",
+                                          "rotation"};
+  constexpr double kMaxMetres = 10;
+  if (!node.IsMap()) throw Error(where, "depth_camera holds no 'key: value' lines", kKeys);
+  for (const char* key : kOfTheColourCamera) {
+    if (const YAML::Node found = node[key]) {
+      throw Error(place(name, found.Mark()), fmt::format("{} does not belong to depth_camera", key),
+                  "give it with the colour camera");
+    }
+  }
+  DepthCamera depth;
+  Pose& pose = depth.colour_from_depth;
+  depth.camera = parse_keys(node, name + " (depth_camera)",
+                            [&](const std::string& word, const YAML::Node& value, const std::string& line) {
+                              if (word == "translation") {
+                                const auto t = parse_list(value, "translation", 3, line);
+                                pose.translation = {t[0], t[1], t[2]};
+                              } else if (word == "quaternion") {
+                                const auto q = parse_list(value, "quaternion", 4, line);
+                                pose.rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
+                              } else {
+                                refuse_key(word, line);
+                              }
+                            });
+  const double length = pose.rotation.norm();
+  if (!(length > 0.9 && length < 1.1)) {
+    throw Error(where, fmt::format("the quaternion has length {:.3g} instead of 1", length),
+                "write it as [qx, qy, qz, qw]");
+  }
+  pose.rotation.normalize();
+  if (!(pose.translation.norm() < kMaxMetres)) {
+    throw Error(where, fmt::format("the cameras lie {:.0f} m apart", pose.translation.norm()),
+                "give the translation in metres");
+  }
+  return depth;
+}
+
+std::string format_keys(const Camera& camera, bool of_depth) {
   const auto* lens = std::find_if(kLensWords.begin(), kLensWords.end(),
                                   [&](const LensWord& l) { return l.name == camera.lens_name(); });
+  const std::string indent = of_depth ? "  " : "";
   std::string text;
   for (const Key& key : kAllKeys) {
-    if (key.number == &Camera::k1) text += fmt::format("lens: {}\n", lens->name);
+    if (of_depth && !key.required && !is_coefficient(key)) continue;
+    if (key.number == &Camera::k1) text += fmt::format("{}lens: {}\n", indent, lens->name);
     if (is_coefficient(key) && !has_coefficient(*lens, key.name)) continue;
-    text += key.number != nullptr ? fmt::format("{}: {}\n", key.name, camera.*key.number)
-                                  : fmt::format("{}: {}\n", key.name, camera.*key.integer);
+    text += key.number != nullptr ? fmt::format("{}{}: {}\n", indent, key.name, camera.*key.number)
+                                  : fmt::format("{}{}: {}\n", indent, key.name, camera.*key.integer);
   }
   return text;
+}
+
+}  // namespace
+
+RgbdCameras parse_cameras(const std::string& yaml, const std::string& name) {
+  const YAML::Node root = parse_map(yaml, name);
+  RgbdCameras cameras;
+  cameras.colour =
+      parse_keys(root, name, [&](const std::string& word, const YAML::Node& value, const std::string& where) {
+        if (word != "depth_camera") refuse_key(word, where);
+        cameras.depth = parse_depth_camera(value, name, where);
+      });
+  if (cameras.depth) cameras.depth->camera.depth_units_per_metre = cameras.colour.depth_units_per_metre;
+  return cameras;
+}
+
+Camera parse_camera(const std::string& yaml, const std::string& name) {
+  const YAML::Node root = parse_map(yaml, name);
+  return parse_keys(root, name, [](const std::string& word, const YAML::Node&, const std::string& where) {
+    if (word != "depth_camera") refuse_key(word, where);
+    throw Error(where, "depth_camera is of no use here: depth must be registered to colour",
+                "leave it out, or make the depth registered by stdc-slam convert");
+  });
+}
+
+RgbdCameras read_cameras(const std::filesystem::path& path) {
+  return parse_cameras(read_file(path, kFileHint), path.string());
+}
+
+Camera read_camera(const std::filesystem::path& path) {
+  return parse_camera(read_file(path, kFileHint), path.string());
+}
+
+std::string format_camera(const Camera& camera) { return format_keys(camera, false); }
+
+std::string format_cameras(const RgbdCameras& cameras) {
+  std::string text = format_camera(cameras.colour);
+  if (!cameras.depth) return text;
+  const Eigen::Vector3d& t = cameras.depth->colour_from_depth.translation;
+  const Eigen::Quaterniond& q = cameras.depth->colour_from_depth.rotation;
+  text += "depth_camera:\n" + format_keys(cameras.depth->camera, true);
+  text += fmt::format("  translation: [{}, {}, {}]\n", t.x(), t.y(), t.z());
+  return text + fmt::format("  quaternion: [{}, {}, {}, {}]\n", q.x(), q.y(), q.z(), q.w());
 }
 
 // The calibrations published with the TUM RGB-D benchmark (Sturm et al., IROS 2012).

@@ -101,6 +101,46 @@ TEST(CameraFile, RefusesWhatDoesNotBelongToTheLens) {
             std::string::npos);
 }
 
+TEST(CameraFile, MayHaveADepthCamera) {
+  const std::string depth =
+      "depth_camera:\n  width: 848\n  height: 480\n  fx: 424\n  fy: 424\n  cx: 423.5\n  cy: 239.5\n"
+      "  translation: [0.015, 0, 0.001]\n  quaternion: [0, 0.01, 0, 1]\n";
+  const RgbdCameras cameras = parse_cameras(kMinimal + "depth_units_per_metre: 1000\n" + depth, "c.yaml");
+  ASSERT_TRUE(cameras.depth);
+  EXPECT_EQ(cameras.depth->camera.width, 848);
+  EXPECT_EQ(cameras.depth->camera.depth_units_per_metre, 1000);
+  EXPECT_EQ(cameras.depth->colour_from_depth.translation, Eigen::Vector3d(0.015, 0, 0.001));
+  EXPECT_NEAR(cameras.depth->colour_from_depth.rotation.norm(), 1, 1e-12);
+  const RgbdCameras again = parse_cameras(format_cameras(cameras), "c.yaml");
+  EXPECT_EQ(again.colour, cameras.colour);
+  EXPECT_EQ(again.depth->camera, cameras.depth->camera);
+  EXPECT_FALSE(parse_cameras(kMinimal, "c.yaml").depth);
+  EXPECT_NE(message(kMinimal + depth).find("c.yaml:7: depth_camera is of no use here"), std::string::npos);
+}
+
+TEST(CameraFile, NamesTheLineAtFaultOfADepthCamera) {
+  const auto fault = [](const std::string& more) {
+    return message_of([&] {
+      parse_cameras(
+          kMinimal + "depth_camera:\n  width: 848\n  height: 480\n  fx: 424\n  fy: 424\n  cx: 423\n" + more,
+          "c.yaml");
+    });
+  };
+  EXPECT_NE(fault("").find("c.yaml (depth_camera): cy is missing"), std::string::npos);
+  EXPECT_NE(fault("  cy: 240\n  translation: [15, 0, 0]\n")
+                .find("the cameras lie 15 m apart; give the translation in"),
+            std::string::npos);
+  EXPECT_NE(
+      fault("  cy: 240\n  translation: [1, 0]\n").find("(depth_camera):14: translation is not a list of 3"),
+      std::string::npos);
+  EXPECT_NE(fault("  cy: 240\n  quaternion: [0, 0, 0, 0]\n").find("the quaternion has length 0"),
+            std::string::npos);
+  EXPECT_NE(fault("  cy: 240\n  rotation: 90\n").find("c.yaml:14: rotation does not belong to depth_camera"),
+            std::string::npos);
+  EXPECT_NE(fault("  cy: 240\n  shift: 90\n").find("(depth_camera):14: unknown key 'shift'"),
+            std::string::npos);
+}
+
 TEST(CameraFile, NamesAMissingFile) {
   const TestFolder folder;
   EXPECT_NE(message_of([&] { read_camera(folder / "none.yaml"); }).find("none.yaml: cannot be opened"),

@@ -114,16 +114,23 @@ bool TumSequence::has_ground_truth() const { return is_there(folder_ / "groundtr
 
 GroundTruth TumSequence::ground_truth() const { return read_ground_truth(folder_ / "groundtruth.txt"); }
 
+const char* const kTumCameraHint =
+    "put a camera.yaml into the folder or give one with --camera (known without: folders with freiburg1, "
+    "freiburg2 or freiburg3 in their name)";
+
+std::optional<RgbdCameras> known_cameras(const TumSequence& sequence) {
+  const fs::path own = sequence.folder() / "camera.yaml";
+  if (is_there(own)) return read_cameras(own);
+  for (const std::string& name : names_of(sequence.folder())) {
+    if (const std::optional<Camera> camera = tum_calibration(name)) return RgbdCameras{*camera, {}};
+  }
+  return std::nullopt;
+}
+
 Camera find_camera(const TumSequence& sequence, const std::optional<fs::path>& camera_file) {
   if (camera_file) return read_camera(*camera_file);
-  const fs::path own = sequence.folder() / "camera.yaml";
-  if (is_there(own)) return read_camera(own);
-  for (const std::string& name : names_of(sequence.folder())) {
-    if (const std::optional<Camera> camera = tum_calibration(name)) return *camera;
-  }
-  throw Error(sequence.folder().string(), "its camera is not known",
-              "put a camera.yaml into the folder or give one with --camera (known without: folders with "
-              "freiburg1, freiburg2 or freiburg3 in their name)");
+  if (const std::optional<RgbdCameras> known = known_cameras(sequence)) return known->colour;
+  throw Error(sequence.folder().string(), "its camera is not known", kTumCameraHint);
 }
 
 }  // namespace stdc

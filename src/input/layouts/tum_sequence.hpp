@@ -10,6 +10,8 @@
 #include "core/image_list.hpp"
 #include "core/rgbd_image.hpp"
 #include "input/ground_truth.hpp"
+#include "input/image_file.hpp"
+#include "input/rgbd_cameras.hpp"
 
 namespace stdc {
 
@@ -52,6 +54,10 @@ class TumSequence {
   int colour_without_depth_ = 0;
 };
 
+/// The images of a frame, as messages call them.
+ImageFile colour_file(const SequenceFrame& frame);
+ImageFile depth_file(const SequenceFrame& frame);
+
 /// Reads both images of a frame. `camera` is for checking sizes and depth. Throws Error naming the image for
 /// a missing, truncated or undecodable file, wrong size, wrong bit depth or channels.
 RgbdImage load_frame(const SequenceFrame& frame, const Camera& camera,
@@ -61,5 +67,10 @@ RgbdImage load_frame(const SequenceFrame& frame, const Camera& camera,
 /// freiburg1/2/3 calibration named in the folder's name, as given or as a link resolves it. Throws Error if
 /// none is known or the file is wrong.
 Camera find_camera(const TumSequence& sequence, const std::optional<std::filesystem::path>& camera_file);
+
+/// The same without a camera file, and with the depth camera of camera.yaml; nothing if none is known.
+std::optional<RgbdCameras> known_cameras(const TumSequence& sequence);
+/// What a user can do if none is.
+extern const char* const kTumCameraHint;
 
 }  // namespace stdc

@@ -1,0 +1,49 @@
+#include "input/image_file.hpp"
+
+#include "core/error.hpp"
+#include "core/image_size.hpp"
+#include "core/text_file.hpp"
+
+namespace stdc {
+namespace {
+
+constexpr const char* kHint = "restore the file or remove its line from the list";
+
+std::string read_image(const ImageFile& file) {
+  constexpr std::size_t kMaxImage = std::size_t{1} << 28U;
+  try {
+    return read_file(file.path, kHint, kMaxImage);
+  } catch (const Error& error) {
+    throw Error(file.where, error.problem(), error.hint());
+  }
+}
+
+Bytes bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// What the image must have, or what it says. Of bytes that say nothing the decoder knows what is wrong.
+cv::Size expected_size(Bytes bytes, cv::Size size) {
+  return size.empty() ? image_size(bytes).value_or(cv::Size(1, 1)) : size;
+}
+
+cv::Mat checked(DecodedImage decoded, const ImageFile& file) {
+  if (!decoded.problem.empty()) throw Error(file.where, decoded.problem, kHint);
+  return decoded.image;
+}
+
+}  // namespace
+
+cv::Mat read_colour_file(const ImageFile& file, cv::Size size, ColourMode mode) {
+  const std::string text = read_image(file);
+  const Bytes bytes = bytes_of(text);
+  return checked(decode_colour(bytes, expected_size(bytes, size), mode), file);
+}
+
+cv::Mat read_depth_file(const ImageFile& file, cv::Size size) {
+  const std::string text = read_image(file);
+  const Bytes bytes = bytes_of(text);
+  return checked(decode_depth(bytes, expected_size(bytes, size)), file);
+}
+
+}  // namespace stdc

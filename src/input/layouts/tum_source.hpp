@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "input/open_source.hpp"
+
+namespace stdc {
+
+/// Whether a folder has rgb.txt and depth.txt.
+bool is_tum_folder(const std::filesystem::path& path);
+/// A TumSequence as a source.
+std::unique_ptr<FrameSource> open_tum_folder(const std::filesystem::path& path, const SourceOptions& options);
+
+}  // namespace stdc

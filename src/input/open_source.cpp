@@ -1,0 +1,73 @@
+#include "input/open_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "input/layouts/tum_source.hpp"
+
+namespace stdc {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A kind that is recognised by more comes before one that is recognised by less.
+constexpr std::array kKinds{
+    SourceKind{"tum", "folder in TUM RGB-D layout: rgb.txt, depth.txt", is_tum_folder, open_tum_folder, true},
+};
+
+void check_options(const SourceKind& kind, const fs::path& path, const SourceOptions& options) {
+  if (options.rate && !kind.takes_rate) {
+    throw Error("--rate",
+                fmt::format("{} is of the kind {}, whose times are its own", path.string(), kind.name),
+                "leave it out");
+  }
+  if (options.has_topic() && !kind.takes_topics) {
+    throw Error(path.string(), fmt::format("is of the kind {}, which has no topics", kind.name),
+                "leave the topics out");
+  }
+}
+
+const SourceKind& kind_named(const std::string& name) {
+  const auto* kind =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const SourceKind& k) { return name == k.name; });
+  if (kind == kKinds.end()) {
+    throw Error("--input-kind", fmt::format("there is no kind '{}'", name),
+                "give one of " + source_kind_names());
+  }
+  return *kind;
+}
+
+const SourceKind& kind_of(const fs::path& path) {
+  const auto* kind =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const SourceKind& k) { return k.matches(path); });
+  if (kind != kKinds.end()) return *kind;
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) {
+    throw Error(
+        path.string(), "is no recording of a kind that can be read",
+        "see docs/inputs.md for the kinds, or name one by --input-kind (" + source_kind_names() + ")");
+  }
+  return kind_named("tum");  // which says what is missing
+}
+
+}  // namespace
+
+std::span<const SourceKind> source_kinds() { return kKinds; }
+
+std::string source_kind_names() {
+  std::string names;
+  for (const SourceKind& kind : kKinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
+
+std::unique_ptr<FrameSource> open_source(const fs::path& path, const SourceOptions& options) {
+  const SourceKind& kind = options.kind.empty() ? kind_of(path) : kind_named(options.kind);
+  check_options(kind, path, options);
+  return kind.open(path, options);
+}
+
+}  // namespace stdc
