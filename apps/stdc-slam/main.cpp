@@ -1,5 +1,4 @@
 // stdc-slam: the command line of the library. Each subcommand lives in a file of its own.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
@@ -8,29 +7,22 @@
 
 int main(int argc, char** argv) {
   constexpr int kBadInput = 2;
-  CLI::App app{"STDC-SLAM: RGB-D visual SLAM that keeps its accuracy when people walk through the scene"};
-  app.set_version_flag("--version", STDC_VERSION);
-  app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return std::string("stdc-slam: ") + error.what() + "; run with --help to see the options\n";
-  });
-  stdc::app::add_run_command(app);
-  stdc::app::add_segment_command(app);
-  stdc::app::add_evaluate_command(app);
-  stdc::app::add_ablation_command(app);
-  stdc::app::add_features_command(app);
-  stdc::app::add_map_command(app);
-  stdc::app::add_places_command(app);
-  stdc::app::add_render_command(app);
-  stdc::app::add_settings_command(app);
+  stdc::app::Program program(
+      "STDC-SLAM: RGB-D visual SLAM that keeps its accuracy when people walk through the scene",
+      STDC_VERSION);
+  stdc::app::add_run_command(program.root());
+  stdc::app::add_segment_command(program.root());
+  stdc::app::add_evaluate_command(program.root());
+  stdc::app::add_ablation_command(program.root());
+  stdc::app::add_features_command(program.root());
+  stdc::app::add_map_command(program.root());
+  stdc::app::add_places_command(program.root());
+  stdc::app::add_render_command(program.root());
+  stdc::app::add_settings_command(program.root());
   try {
-    app.parse(argc, argv);
-    return 0;
-  } catch (const CLI::RuntimeError& error) {
-    return error.get_exit_code();  // said already
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : kBadInput;
+    return program.run(argc, argv);
+  } catch (const stdc::app::ExitStatus& status) {
+    return status.code;
   } catch (const stdc::Error& error) {
     std::fprintf(stderr, "stdc-slam: %s\n", error.what());
     return kBadInput;

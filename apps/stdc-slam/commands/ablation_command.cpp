@@ -131,32 +131,31 @@ Examples:
 
 }  // namespace
 
-void add_ablation_command(CLI::App& app) {
+void add_ablation_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
-  command->add_option("SEQUENCES", options->sequences, "Folders in TUM RGB-D layout, with ground truth")
-      ->required();
-  command->add_option("--output,-o", options->output, "Folder for ablation.md and ablation.json");
-  command->add_option("--camera", options->camera, "Camera file; goes before those of the sequences");
-  command->add_option("--frames", options->frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
+  Command command = program.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
+  command.add_option("SEQUENCES", options->sequences, "Folders in TUM RGB-D layout, with ground truth")
+      .required();
+  command.add_option("--output,-o", options->output, "Folder for ablation.md and ablation.json");
+  command.add_option("--camera", options->camera, "Camera file; goes before those of the sequences");
+  command.add_option("--frames", options->frames, "Only frames A to B-1, counted from 0").type_name("A:B");
   command
-      ->add_option(
-          "--masks-from", options->columns.masks_from,
-          "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
-      ->check(CLI::IsMember({"network", "masks"}))
-      ->capture_default_str();
-  command->add_option("--weights", options->columns.weights,
-                      "Weights of the network; default: those that ship");
+      .add_option("--masks-from", options->columns.masks_from,
+                  "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
+      .one_of({"network", "masks"})
+      .capture_default_str();
+  command.add_option("--weights", options->columns.weights,
+                     "Weights of the network; default: those that ship");
   command
-      ->add_option("--set", options->columns.assignments,
-                   "Change one setting in all columns; may be repeated, the last one counts")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  command->add_flag("--motion", options->columns.motion, "Three more columns, one for each motion method");
-  command->add_flag("--markdown", options->markdown, "Print tables in Markdown");
-  command->add_flag("--quiet,-q", options->quiet, "No progress");
-  command->footer(kFooter);
-  command->callback([options] { run_ablation(*options); });
+      .add_option("--set", options->columns.assignments,
+                  "Change one setting in all columns; may be repeated, the last one counts")
+      .type_name("KEY=VALUE")
+      .one_value_each();
+  command.add_flag("--motion", options->columns.motion, "Three more columns, one for each motion method");
+  command.add_flag("--markdown", options->markdown, "Print tables in Markdown");
+  command.add_flag("--quiet,-q", options->quiet, "No progress");
+  command.footer(kFooter);
+  command.callback([options] { run_ablation(*options); });
 }
 
 }  // namespace stdc::app

@@ -52,15 +52,15 @@ void evaluate(const Options& options) {
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& app) {
+void add_evaluate_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("evaluate", "Score an estimated trajectory against the truth");
-  command->add_option("GROUNDTRUTH", options->truth, "True trajectory, TUM format")->required();
-  command->add_option("ESTIMATE", options->estimate, "Estimated trajectory, TUM format")->required();
-  command->add_option("--max-difference", options->max_difference, "Largest time difference of a pair [s]")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON, in metres and degrees");
-  command->footer(R"(
+  Command command = program.add_subcommand("evaluate", "Score an estimated trajectory against the truth");
+  command.add_option("GROUNDTRUTH", options->truth, "True trajectory, TUM format").required();
+  command.add_option("ESTIMATE", options->estimate, "Estimated trajectory, TUM format").required();
+  command.add_option("--max-difference", options->max_difference, "Largest time difference of a pair [s]")
+      .capture_default_str();
+  command.add_flag("--json", options->json, "Print JSON, in metres and degrees");
+  command.footer(R"(
 ATE: distance after rigid (SE(3)) alignment. RPE: error of the motion from a pair to the next, and to the
 pair one second later. Pairs and numbers are those of evo and of the TUM RGB-D tools. Coverage: share of the
 truth's time span over which the estimate goes on without a gap.
@@ -68,7 +68,7 @@ truth's time span over which the estimate goes on without a gap.
 Examples:
   stdc-slam evaluate groundtruth.txt results/trajectory.txt
   stdc-slam evaluate groundtruth.txt results/keyframes.txt --json > scores.json)");
-  command->callback([options] { evaluate(*options); });
+  command.callback([options] { evaluate(*options); });
 }
 
 }  // namespace stdc::app

@@ -178,25 +178,24 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_features_command(CLI::App& app) {
+void add_features_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("features", "Compare the keypoint selections: quality and uniformity");
-  command->add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout")->required();
+  Command command =
+      program.add_subcommand("features", "Compare the keypoint selections: quality and uniformity");
+  command.add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout").required();
   command
-      ->add_option("--frames", options->frames,
-                   "Frames to show, counted from 0, e.g. 1,60,303 (default: all)")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
-      ->capture_default_str();
-  command->add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
-  command->add_option("--debug-images", options->debug_images,
-                      "Folder for pictures of the keypoints and quadtree cells of each frame");
-  CLI::Option* markdown = command->add_flag("--markdown", options->markdown, "Print a Markdown table");
-  command->add_flag("--json", options->json, "Print JSON")->excludes(markdown);
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->footer(R"(
+      .add_option("--frames", options->frames, "Frames to show, counted from 0, e.g. 1,60,303 (default: all)")
+      .delimiter(',')
+      .one_value_each();
+  command.add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
+      .capture_default_str();
+  command.add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
+  command.add_option("--debug-images", options->debug_images,
+                     "Folder for pictures of the keypoints and quadtree cells of each frame");
+  const CommandOption markdown = command.add_flag("--markdown", options->markdown, "Print a Markdown table");
+  command.add_flag("--json", options->json, "Print JSON").excludes(markdown);
+  command.add_flag("--quiet", options->quiet, "No progress");
+  command.footer(R"(
 Table 2 of the paper for any sequence: for each selection the numbers of keypoints of high (H) and low (L)
 quality, all of them (T), and the uniformity of their distribution (U = 101 log10 of the variance of the counts
 in ten regions; larger is less even).
@@ -205,7 +204,7 @@ Examples:
   stdc-slam features rgbd_dataset_freiburg1_desk --frames 1,60,303,482,512
   stdc-slam features my-room --keypoints 1000 --json > features.json
   stdc-slam features my-room --frames 20 --debug-images pictures)");
-  command->callback([options] { run(*options); });
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace stdc::app

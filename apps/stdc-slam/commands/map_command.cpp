@@ -46,26 +46,26 @@ void export_map(const Options& options) {
              stored.atlas.map_count() == 1 ? "map" : "maps", options.output);
 }
 
-void add_info(CLI::App& map, const std::shared_ptr<Options>& options) {
-  CLI::App* command = map.add_subcommand("info", "What a map file holds");
-  command->add_option("FILE", options->file, "Map that run --save-map wrote")->required();
-  command->add_flag("--json", options->json, "Print JSON, in metres, seconds and bytes");
-  command->footer(R"(
+void add_info(Command map, const std::shared_ptr<Options>& options) {
+  Command command = map.add_subcommand("info", "What a map file holds");
+  command.add_option("FILE", options->file, "Map that run --save-map wrote").required();
+  command.add_flag("--json", options->json, "Print JSON, in metres, seconds and bytes");
+  command.footer(R"(
 The box and the times are those of the landmarks and the keyframes. Maps that were never joined to each other
 are in coordinates of their own, so each is described by itself.
 
 Examples:
   stdc-slam map info office.map
   stdc-slam map info office.map --json > office.json)");
-  command->callback([options] { print_info(*options); });
+  command.callback([options] { print_info(*options); });
 }
 
-void add_export(CLI::App& map, const std::shared_ptr<Options>& options) {
-  CLI::App* command = map.add_subcommand("export", "Point cloud and keyframe poses for other programs");
-  command->add_option("FILE", options->file, "Map that run --save-map wrote")->required();
-  command->add_option("--output,-o", options->output, "Folder for the files; made if need be")->required();
-  command->add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
-  command->footer(R"(
+void add_export(Command map, const std::shared_ptr<Options>& options) {
+  Command command = map.add_subcommand("export", "Point cloud and keyframe poses for other programs");
+  command.add_option("FILE", options->file, "Map that run --save-map wrote").required();
+  command.add_option("--output,-o", options->output, "Folder for the files; made if need be").required();
+  command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
+  command.footer(R"(
 Written to the output folder, all at the end or nothing:
   points.ply      the landmarks: x, y, z in metres, grey value, number of keyframes that see it, number of its
                   map (binary PLY, for CloudCompare, MeshLab, Open3D, ...)
@@ -75,22 +75,22 @@ Written to the output folder, all at the end or nothing:
 
 Examples:
   stdc-slam map export office.map --output office)");
-  command->callback([options] { export_map(*options); });
+  command.callback([options] { export_map(*options); });
 }
 
 }  // namespace
 
-void add_map_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("map", "Look into map files, and export them");
-  command->require_subcommand(1);
-  command->footer(R"(
+void add_map_command(Command program) {
+  Command command = program.add_subcommand("map", "Look into map files, and export them");
+  command.require_subcommand();
+  command.footer(R"(
 Examples:
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam map info office.map
   stdc-slam map export office.map --output office)");
   const auto options = std::make_shared<Options>();
-  add_info(*command, options);
-  add_export(*command, options);
+  add_info(command, options);
+  add_export(command, options);
 }
 
 }  // namespace stdc::app

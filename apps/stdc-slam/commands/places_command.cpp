@@ -191,28 +191,29 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_places_command(CLI::App& app) {
+void add_places_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("places", "Precision and recall of place recognition against poses");
-  command->add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout with groundtruth.txt")
-      ->required();
-  command->add_option("--frames", options->frames, "Only frames A..B-1: \"A:B\", either may be missing");
-  command->add_option("--step", options->step, "Every how many frames there is a view")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command->add_option("--gap", options->test.gap, "Seconds for which a place must have been left")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
+  Command command =
+      program.add_subcommand("places", "Precision and recall of place recognition against poses");
+  command.add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout with groundtruth.txt")
+      .required();
+  command.add_option("--frames", options->frames, "Only frames A..B-1: \"A:B\", either may be missing");
+  command.add_option("--step", options->step, "Every how many frames there is a view")
+      .in_range(1, 10000)
+      .capture_default_str();
+  command.add_option("--gap", options->test.gap, "Seconds for which a place must have been left")
+      .in_range(0.0, 1e6)
+      .capture_default_str();
   command
-      ->add_option("--overlap", options->test.overlap,
-                   "Share of the view that must have been seen before for there to be a place to find")
-      ->check(CLI::Range(PlaceRecognitionTest::kRight, 1.0))
-      ->capture_default_str();
-  command->add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
-  command->add_option("--output", options->output, "Folder for places.csv and places.png (the curve)");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->footer(R"(
+      .add_option("--overlap", options->test.overlap,
+                  "Share of the view that must have been seen before for there to be a place to find")
+      .in_range(PlaceRecognitionTest::kRight, 1.0)
+      .capture_default_str();
+  command.add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
+  command.add_option("--output", options->output, "Folder for places.csv and places.png (the curve)");
+  command.add_flag("--json", options->json, "Print JSON");
+  command.add_flag("--quiet", options->quiet, "No progress");
+  command.footer(R"(
 Each view asks for its place among the views before it. An answer is right if a tenth of the view's points, by
 the true poses and the depths, is seen by it too. By score alone, and verified: matched, aligned, and refined as
 a loop is; a verified pose is wrong if it is further off than 20 cm or 10 degrees.
@@ -220,7 +221,7 @@ a loop is; a verified pose is wrong if it is further off than 20 cm or 10 degree
 Examples:
   stdc-slam places static-room
   stdc-slam places rgbd_dataset_freiburg1_room --step 10 --output results)");
-  command->callback([options] { run(*options); });
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace stdc::app

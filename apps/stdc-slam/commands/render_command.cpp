@@ -135,26 +135,24 @@ std::string preset_list() {
 
 }  // namespace
 
-void add_render_command(CLI::App& app) {
+void add_render_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("render", "Render a sequence with exact poses and masks of what moves");
-  command->add_option("PRESET", options->preset, "One of " + preset_list())->required();
-  command->add_option("--output", options->output, "Folder to make")->required();
-  command->add_option("--frames", options->frames, "Only the first N frames, or more than the preset has")
-      ->check(CLI::Range(1, 1000000));
-  command
-      ->add_option("--seed", options->seed, "Of textures, clutter, people and noise; same seed, same bytes")
-      ->capture_default_str();
-  command->add_flag("--without-people,--static", options->without_people,
-                    "Same room and camera motion, without people and without anything that moves");
-  command->add_flag("--motion-blur", options->motion_blur, "Expose for 1/60 s (6 times slower)");
-  command->add_option("--camera", options->camera, "camera.yaml to render with, lens distortion included");
-  command->add_option("--threads", options->threads, "How many; default: one for each core")
-      ->check(CLI::Range(1, 256));
-  command->add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->footer(R"(
+  Command command =
+      program.add_subcommand("render", "Render a sequence with exact poses and masks of what moves");
+  command.add_option("PRESET", options->preset, "One of " + preset_list()).required();
+  command.add_option("--output", options->output, "Folder to make").required();
+  command.add_option("--frames", options->frames, "Only the first N frames, or more than the preset has")
+      .in_range(1, 1000000);
+  command.add_option("--seed", options->seed, "Of textures, clutter, people and noise; same seed, same bytes")
+      .capture_default_str();
+  command.add_flag("--without-people,--static", options->without_people,
+                   "Same room and camera motion, without people and without anything that moves");
+  command.add_flag("--motion-blur", options->motion_blur, "Expose for 1/60 s (6 times slower)");
+  command.add_option("--camera", options->camera, "camera.yaml to render with, lens distortion included");
+  command.add_option("--threads", options->threads, "How many; default: one for each core").in_range(1, 256);
+  command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
+  command.add_flag("--quiet", options->quiet, "No progress");
+  command.footer(R"(
 The folder gets the layout of the TUM RGB-D benchmark: rgb/, depth/ (16 bit, 5000 per metre, 0 = missing),
 rgb.txt, depth.txt, groundtruth.txt, camera.yaml, and mask/ (255 = people, and things while they move).
 Presets in which things move also get moved/ (255 = people, and things that move at some time).
@@ -164,7 +162,7 @@ Examples:
   stdc-slam render walking-xyz --output /tmp/walking --frames 300 --seed 7
   stdc-slam render walking-xyz --output /tmp/alone --frames 300 --seed 7 --without-people
   stdc-slam render box-removed --output /tmp/clean --static)");
-  command->callback([options] { render(*options); });
+  command.callback([options] { render(*options); });
 }
 
 }  // namespace stdc::app

@@ -4,10 +4,10 @@
 
 namespace stdc::app {
 
-void add_render_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("render", "Not in this build: it was made without the renderer");
-  command->allow_extras();
-  command->callback([] {
+void add_render_command(Command program) {
+  Command command = program.add_subcommand("render", "Not in this build: it was made without the renderer");
+  command.allow_extras();
+  command.callback([] {
     throw Error("render", "this program was built without the renderer",
                 "install libembree-dev and build with -DSTDC_BUILD_SIMULATION=ON");
   });

@@ -49,9 +49,9 @@ Examples:
   stdc-slam run third-visit --output results --load-map office.map --localisation-only
   stdc-slam run my-sequence --output results --debug-images pictures --debug-every 30)";
 
-void add_options(CLI::App& command, RunOptions& options) {
-  command.add_option("SEQUENCE", options.sequence, "Folder in TUM RGB-D layout")->required();
-  command.add_option("--output,-o", options.output, "Folder for the results; made if need be")->required();
+void add_options(Command command, RunOptions& options) {
+  command.add_option("SEQUENCE", options.sequence, "Folder in TUM RGB-D layout").required();
+  command.add_option("--output,-o", options.output, "Folder for the results; made if need be").required();
   command.add_option("--camera", options.camera, "Camera file; goes before the camera of the sequence");
   add_settings_options(command, options.settings);
   add_motion_option(command, options.settings);
@@ -60,29 +60,29 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_option("--save-map", options.save_map, "File for the map; written when all went well");
   command.add_flag("--localisation-only", options.localisation_only,
                    "Only find the camera in the loaded map, and leave that as it is");
-  command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0")->type_name("A:B");
+  command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0").type_name("A:B");
   command
       .add_option("--rate", options.rate,
                   "Take the order of the lines in rgb.txt and depth.txt for the time: frame i at i / HZ "
                   "seconds, whatever their stamps say")
-      ->type_name("HZ")
-      ->check(CLI::Range(0.1, 1000.0));
-  CLI::Option* debug_images =
+      .type_name("HZ")
+      .in_range(0.1, 1000.0);
+  const CommandOption debug_images =
       command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
   command
       .add_option("--debug-every", options.debug_every, "A picture of every n-th frame and of the lost ones")
-      ->capture_default_str()
-      ->needs(debug_images);
+      .capture_default_str()
+      .needs(debug_images);
   command.add_option(
       "--save-masks", options.save_masks,
       "Folder for the mask of what moves in each frame (255 = dynamic), as --masks reads them");
   command.add_option("--true-masks", options.true_masks,
                      "Folder of true masks, named like --masks, to score the masks of what moves against");
-  CLI::Option* inpaint = command.add_option(
+  const CommandOption inpaint = command.add_option(
       "--inpaint", options.inpaint,
       "Folder for the sequence without what moves, filled with what earlier frames saw behind it");
   command.add_flag("--inpaint-all", options.inpaint_all, "Fill it with what later frames saw, too")
-      ->needs(inpaint);
+      .needs(inpaint);
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
@@ -91,16 +91,16 @@ void add_options(CLI::App& command, RunOptions& options) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app) {
+void add_run_command(Command program) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Find the camera's trajectory through an RGB-D sequence");
-  add_options(*command, *options);
-  command->callback([options] {
+  Command command = program.add_subcommand("run", "Find the camera's trajectory through an RGB-D sequence");
+  add_options(command, *options);
+  command.callback([options] {
     if (options->debug_every < 1) {
       throw Error("--debug-every", fmt::format("{} is less than 1", options->debug_every), "give 1 or more");
     }
     constexpr int kNothingFound = 3;
-    if (!run_sequence(*options)) throw CLI::RuntimeError(kNothingFound);
+    if (!run_sequence(*options)) throw ExitStatus{kNothingFound};
   });
 }
 

@@ -214,36 +214,37 @@ Examples:
 
 }  // namespace
 
-void add_segment_command(CLI::App& app) {
+void add_segment_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("segment", "Find people and other dynamic things in images");
-  command->add_option("INPUT", options->input, "Image, folder of images, or sequence")->required();
-  command->add_option("--output,-o", options->output, "Folder for the results; made if need be")->required();
-  command->add_option("--weights", options->weights,
-                      "Weights of the network (.safetensors), or an ONNX model; default: those that ship");
-  CLI::Option* int8 = command->add_flag("--int8", options->int8,
-                                        "Compute in 8 bits (default if the weights are calibrated for it)");
-  command->add_flag("--fp32", options->fp32, "Compute in 32-bit floating point")->excludes(int8);
-  command->add_option("--frames", options->frames, "Only images A to B-1, counted from 0")->type_name("A:B");
+  Command command = program.add_subcommand("segment", "Find people and other dynamic things in images");
+  command.add_option("INPUT", options->input, "Image, folder of images, or sequence").required();
+  command.add_option("--output,-o", options->output, "Folder for the results; made if need be").required();
+  command.add_option("--weights", options->weights,
+                     "Weights of the network (.safetensors), or an ONNX model; default: those that ship");
+  const CommandOption int8 = command.add_flag(
+      "--int8", options->int8, "Compute in 8 bits (default if the weights are calibrated for it)");
+  command.add_flag("--fp32", options->fp32, "Compute in 32-bit floating point").excludes(int8);
+  command.add_option("--frames", options->frames, "Only images A to B-1, counted from 0").type_name("A:B");
   command
-      ->add_option("--size", options->size,
-                   "Size of the network's input, multiples of 32; default: as the weights say")
-      ->type_name("WxH");
-  command->add_option("--camera", options->camera,
-                      "Camera file whose 'rotation' says which way up the images are, in place of EXIF");
-  command->add_option("--threads", options->threads, "Threads of inference")->capture_default_str();
-  CLI::Option* score = command->add_option("--score", options->truth, "Folder of true masks to compare with")
-                           ->type_name("FOLDER");
+      .add_option("--size", options->size,
+                  "Size of the network's input, multiples of 32; default: as the weights say")
+      .type_name("WxH");
+  command.add_option("--camera", options->camera,
+                     "Camera file whose 'rotation' says which way up the images are, in place of EXIF");
+  command.add_option("--threads", options->threads, "Threads of inference").capture_default_str();
+  const CommandOption score =
+      command.add_option("--score", options->truth, "Folder of true masks to compare with")
+          .type_name("FOLDER");
   command
-      ->add_option("--truth", options->truth_kind,
-                   "What the true masks hold: masks (128 and above = dynamic) or labels (255 = in doubt)")
-      ->type_name("masks|labels")
-      ->capture_default_str()
-      ->needs(score);
-  command->add_flag("--no-overlays", options->no_overlays, "Write masks only");
-  command->add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
-  command->footer(kFooter);
-  command->callback([options] { segment(*options); });
+      .add_option("--truth", options->truth_kind,
+                  "What the true masks hold: masks (128 and above = dynamic) or labels (255 = in doubt)")
+      .type_name("masks|labels")
+      .capture_default_str()
+      .needs(score);
+  command.add_flag("--no-overlays", options->no_overlays, "Write masks only");
+  command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
+  command.footer(kFooter);
+  command.callback([options] { segment(*options); });
 }
 
 }  // namespace stdc::app

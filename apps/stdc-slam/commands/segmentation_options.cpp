@@ -1,25 +1,23 @@
 #include "commands/segmentation_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "core/error.hpp"
 #include "slam/make_segmenter.hpp"
 #include "slam/settings_io.hpp"
 
 namespace stdc::app {
 
-void add_segmentation_options(CLI::App& command, SegmentationOptions& options) {
+void add_segmentation_options(Command command, SegmentationOptions& options) {
   command
       .add_option("--segmentation", options.source,
                   "Where masks of people come from: off, network, or masks (files)")
-      ->type_name("off|network|masks");
+      .type_name("off|network|masks");
   command.add_option(
       "--masks", options.masks,
       "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
       "in the sequence");
   command.add_option("--weights", options.weights, "Weights of the network; default: those that ship");
   command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
-      ->type_name("on|off");
+      .type_name("on|off");
 }
 
 void apply_segmentation_options(const SegmentationOptions& options, Settings& settings) {

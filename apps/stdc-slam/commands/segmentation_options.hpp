@@ -5,13 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "commands/command.hpp"
 #include "core/image_codec.hpp"
 #include "segmentation/segmenter.hpp"
 #include "slam/settings.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace stdc::app {
 
@@ -23,7 +20,7 @@ struct SegmentationOptions {
 };
 
 /// Adds --segmentation, --refinement, --masks and --weights to a command.
-void add_segmentation_options(CLI::App& command, SegmentationOptions& options);
+void add_segmentation_options(Command command, SegmentationOptions& options);
 /// Changes the settings as the options say. Throws Error.
 void apply_segmentation_options(const SegmentationOptions& options, Settings& settings);
 /// Throws Error for options that can have no effect with these settings.

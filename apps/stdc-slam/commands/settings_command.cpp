@@ -38,20 +38,20 @@ std::string table(const Settings& settings) {
 
 }  // namespace
 
-void add_settings_command(CLI::App& app) {
+void add_settings_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("settings", "Print every setting with its value, unit, range and meaning");
-  add_settings_options(*command, options->settings);
-  command->add_flag("--yaml", options->yaml, "Print a file for --settings");
-  command->footer(R"(
+  Command command =
+      program.add_subcommand("settings", "Print every setting with its value, unit, range and meaning");
+  add_settings_options(command, options->settings);
+  command.add_flag("--yaml", options->yaml, "Print a file for --settings");
+  command.footer(R"(
 Without options the values are the defaults.
 
 Examples:
   stdc-slam settings
   stdc-slam settings --yaml > my.yaml
   stdc-slam settings --settings my.yaml --set features.keypoints=2000)");
-  command->callback([options] {
+  command.callback([options] {
     const Settings settings = chosen_settings(options->settings);
     fmt::print("{}", options->yaml ? format_settings(settings) : table(settings));
   });

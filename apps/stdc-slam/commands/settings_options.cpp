@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "commands/builtin_settings.hpp"
 #include "core/error.hpp"
 #include "slam/settings_io.hpp"
 
 namespace stdc::app {
 
-void add_settings_options(CLI::App& command, SettingsOptions& options) {
+void add_settings_options(Command command, SettingsOptions& options) {
   command.add_option(
       "--settings", options.file,
       "YAML file with settings (see: stdc-slam settings --yaml), or the name of one that ships: os3, os3-q, "
@@ -19,16 +17,16 @@ void add_settings_options(CLI::App& command, SettingsOptions& options) {
   command
       .add_option("--set", options.assignments,
                   "Change one setting: section.key=value; may be repeated, the last one counts")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+      .type_name("KEY=VALUE")
+      .one_value_each();
 }
 
-void add_motion_option(CLI::App& command, SettingsOptions& options) {
+void add_motion_option(Command command, SettingsOptions& options) {
   command
       .add_option("--motion", options.motion,
                   "How moving things are found by geometry, with or without segmentation: map (default), "
                   "multi-view, flow, or off")
-      ->type_name("off|flow|multi-view|map");
+      .type_name("off|flow|multi-view|map");
 }
 
 std::string assignment_of(const SettingsOptions& options, const std::string& setting) {

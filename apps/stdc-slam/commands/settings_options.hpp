@@ -3,12 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "commands/command.hpp"
 #include "commands/segmentation_options.hpp"
 #include "slam/settings.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace stdc::app {
 
@@ -21,9 +18,9 @@ struct SettingsOptions {
 };
 
 /// Adds --settings, --selection and --set to a command.
-void add_settings_options(CLI::App& command, SettingsOptions& options);
+void add_settings_options(Command command, SettingsOptions& options);
 /// Adds --motion to a command.
-void add_motion_option(CLI::App& command, SettingsOptions& options);
+void add_motion_option(Command command, SettingsOptions& options);
 /// The --set option that assigns a setting ("section.key"); empty if none does.
 std::string assignment_of(const SettingsOptions& options, const std::string& setting);
 /// Throws Error if `option` was given and a --set assigns the same setting: one of the two would be ignored.

@@ -1,0 +1,117 @@
+#include "commands/command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace stdc::app {
+
+CommandOption& CommandOption::required() {
+  option_->required();
+  return *this;
+}
+
+CommandOption& CommandOption::type_name(const std::string& name) {
+  option_->type_name(name);
+  return *this;
+}
+
+CommandOption& CommandOption::capture_default_str() {
+  option_->capture_default_str();
+  return *this;
+}
+
+CommandOption& CommandOption::one_value_each() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+CommandOption& CommandOption::delimiter(char divider) {
+  option_->delimiter(divider);
+  return *this;
+}
+
+CommandOption& CommandOption::in_range(int min, int max) {
+  option_->check(CLI::Range(min, max));
+  return *this;
+}
+
+CommandOption& CommandOption::in_range(double min, double max) {
+  option_->check(CLI::Range(min, max));
+  return *this;
+}
+
+CommandOption& CommandOption::one_of(const std::vector<std::string>& values) {
+  option_->check(CLI::IsMember(values));
+  return *this;
+}
+
+CommandOption& CommandOption::needs(const CommandOption& other) {
+  option_->needs(other.option_);
+  return *this;
+}
+
+CommandOption& CommandOption::excludes(const CommandOption& other) {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Command Command::add_subcommand(const std::string& name, const std::string& description) {
+  return Command(*app_->add_subcommand(name, description));
+}
+
+template <typename Value>
+CommandOption Command::add_option(const std::string& names, Value& value, const std::string& description) {
+  return CommandOption(*app_->add_option(names, value, description));
+}
+
+CommandOption Command::add_flag(const std::string& names, bool& value, const std::string& description) {
+  return CommandOption(*app_->add_flag(names, value, description));
+}
+
+void Command::footer(const std::string& text) { app_->footer(text); }
+
+void Command::callback(std::function<void()> work) { app_->callback(std::move(work)); }
+
+void Command::require_subcommand() { app_->require_subcommand(1); }
+
+void Command::allow_extras() { app_->allow_extras(); }
+
+Program::Program(const std::string& description, const std::string& version)
+    : app_(std::make_unique<CLI::App>(description)) {
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(1);
+  app_->failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("stdc-slam: ") + error.what() + "; run with --help to see the options\n";
+  });
+}
+
+Program::~Program() = default;
+
+int Program::run(int argc, char** argv) {
+  try {
+    app_->parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    constexpr int kBadInput = 2;
+    return app_->exit(error) == 0 ? 0 : kBadInput;  // --help and --version come here too
+  }
+}
+
+// clang-format off
+template CommandOption Command::add_option(const std::string&, int&, const std::string&);
+template CommandOption Command::add_option(const std::string&, double&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::uint64_t&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::string&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::filesystem::path&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::optional<double>&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::optional<int>&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::optional<std::string>&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::optional<std::filesystem::path>&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::vector<int>&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template CommandOption Command::add_option(const std::string&, std::vector<std::filesystem::path>&, const std::string&);
+// clang-format on
+
+}  // namespace stdc::app
