@@ -21,42 +21,23 @@ constexpr const char* kHint = "give another --output folder or free it";
 }  // namespace
 
 OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
+  if (const std::error_code failed = made_.make(folder_)) {
+    throw Error(folder_.string(), fmt::format("cannot be made ({})", failed.message()), kHint);
+  }
   std::error_code failed;
-  std::vector<fs::path> missing;
-  for (fs::path path = folder_.lexically_normal(); !path.empty() && !fs::exists(path, failed);
-       path = path.parent_path()) {
-    missing.insert(missing.begin(), path);
-    if (path == path.parent_path()) break;
-  }
-  for (const fs::path& path : missing) {
-    if (path.filename().empty()) continue;  // "results/" is there once "results" is
-    if (!fs::create_directory(path, failed) && failed) {
-      remove_what_was_made();
-      throw Error(folder_.string(), fmt::format("cannot be made ({})", failed.message()), kHint);
-    }
-    made_.push_back(path);
-  }
   if (!fs::is_directory(folder_, failed)) {
     throw Error(folder_.string(), "is not a folder", "give another --output");
   }
   std::string pattern = (folder_ / ".partial-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
-    const std::string reason = std::strerror(errno);
-    remove_what_was_made();
-    throw Error(folder_.string(), fmt::format("cannot be written to ({})", reason), kHint);
+    throw Error(folder_.string(), fmt::format("cannot be written to ({})", std::strerror(errno)), kHint);
   }
   hidden_ = pattern;
 }
 
 OutputFolder::~OutputFolder() {
-  if (!hidden_.empty()) remove_what_was_made();
-}
-
-void OutputFolder::remove_what_was_made() noexcept {
   std::error_code ignored;
   if (!hidden_.empty()) fs::remove_all(hidden_, ignored);
-  // Innermost first; a folder that somebody else has put something into stays.
-  for (auto path = made_.rbegin(); path != made_.rend(); ++path) fs::remove(*path, ignored);
 }
 
 void OutputFolder::write(const std::string& name, std::string_view content) {
@@ -87,6 +68,7 @@ void OutputFolder::commit() {
   std::error_code ignored;
   fs::remove_all(hidden_, ignored);
   hidden_.clear();
+  made_.keep();
 }
 
 void OutputFolder::remove_dropped() noexcept {

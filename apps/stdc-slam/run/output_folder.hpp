@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/new_folders.hpp"
+
 namespace stdc::app {
 
 /// A folder for results that appear all together or not at all. Files are written to a hidden folder inside
@@ -31,12 +33,11 @@ class OutputFolder {
   const std::filesystem::path& path() const { return folder_; }
 
  private:
-  void remove_what_was_made() noexcept;
   void remove_dropped() noexcept;
 
   std::filesystem::path folder_;
   std::filesystem::path hidden_;
-  std::vector<std::filesystem::path> made_;  ///< folders that were not there before, outermost first
+  NewFolders made_;
   std::vector<std::string> names_;
   std::vector<std::string> dropped_;  ///< stems
 };
