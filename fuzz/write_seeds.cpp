@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -11,6 +12,7 @@
 #include "atlas/map_file.hpp"
 #include "core/image_codec.hpp"
 #include "core/random.hpp"
+#include "input/recordings/test_messages.hpp"
 
 namespace {
 
@@ -64,6 +66,37 @@ std::string small_map(int maps, bool patches) {
   return stream.str();
 }
 
+/// Messages of both serialisations behind the byte that tells which.
+void write_messages(const std::filesystem::path& folder) {
+  using stdc::test::MessageWriter;
+  for (const auto style :
+       {MessageWriter::Style::ros1, MessageWriter::Style::cdr_little, MessageWriter::Style::cdr_big}) {
+    const auto put = [&](const char* name, const MessageWriter& message) {
+      std::vector<std::uint8_t> bytes(1, message.is_ros1() ? 0 : 1);
+      std::copy(message.bytes().begin(), message.bytes().end(), std::back_inserter(bytes));
+      write(folder / (name + std::to_string(static_cast<int>(style))), bytes);
+    };
+    const std::vector<std::uint8_t> pixels(4 * 6 * 4, 77), png = stdc::encode_png(picture(CV_16UC1));
+    for (const char* encoding : {"rgb8", "mono16", "32FC1", "yuv422", "bayer_rggb8"}) {
+      put(encoding, stdc::test::image_message(style, 1, "f", 6, 4, encoding, pixels));
+    }
+    std::vector<std::uint8_t> depth(12);
+    depth.insert(depth.end(), png.begin(), png.end());
+    put("depth", MessageWriter(style).header(1, "f").text("16UC1; compressedDepth png").blob(depth));
+    put("jpeg", MessageWriter(style)
+                    .header(1, "f")
+                    .text("bgr8; jpeg compressed bgr8")
+                    .blob(stdc::encode_jpeg(picture(CV_8UC3), 30)));
+    std::vector<std::uint8_t> rvl(12 + 8 + 16, 0x11);
+    rvl[12] = 6, rvl[16] = 4, rvl[13] = rvl[14] = rvl[15] = rvl[17] = rvl[18] = rvl[19] = 0;
+    put("rvl", MessageWriter(style).header(1, "f").text("16UC1; compressedDepth rvl").blob(rvl));
+    put("info", stdc::test::camera_info_message(style, "f", stdc::Camera(), "plumb_bob", {0.1, 0, 0, 0, 0}));
+    put("tf", stdc::test::transform_message(style, "a", "b", stdc::Pose()));
+    put("odometry",
+        MessageWriter(style).header(1, "f").text("b").pose(stdc::Pose()).doubles(std::vector<double>(84)));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -91,6 +124,8 @@ int main(int argc, char** argv) {
     }
     write(folder / target, rows);
   }
+  std::filesystem::create_directories(folder / "ros_message");
+  write_messages(folder / "ros_message");
   std::filesystem::create_directories(folder / "map_file");
   for (const bool patches : {false, true}) {
     const std::string bytes = small_map(1, patches);

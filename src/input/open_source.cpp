@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "input/layouts/tum_source.hpp"
+#include "input/recordings/recording_source.hpp"
 
 namespace stdc {
 namespace {
@@ -17,6 +18,12 @@ namespace fs = std::filesystem;
 // A kind that is recognised by more comes before one that is recognised by less.
 constexpr std::array kKinds{
     SourceKind{"tum", "folder in TUM RGB-D layout: rgb.txt, depth.txt", is_tum_folder, open_tum_folder, true},
+    SourceKind{"mcap", "MCAP recording of ROS 2 or ROS 1, or a folder of rosbag2 with such files",
+               is_mcap_recording, open_recording_source, false, true},
+    SourceKind{"db3", "SQLite recording of ROS 2, or a folder of rosbag2 with such files", is_db3_recording,
+               open_recording_source, false, true},
+    SourceKind{"bag", "bag of ROS 1, also of RealSense", is_bag_recording, open_recording_source, false,
+               true},
 };
 
 void check_options(const SourceKind& kind, const fs::path& path, const SourceOptions& options) {

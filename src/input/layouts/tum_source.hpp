@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "input/open_source.hpp"
+#include "input/frame_source.hpp"
+#include "input/source_options.hpp"
 
 namespace stdc {
 

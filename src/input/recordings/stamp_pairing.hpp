@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace stdc {
+
+/// A message that waits for its partner.
+struct WaitingMessage {
+  std::int64_t stamp = 0;  ///< of its header [ns]
+  std::shared_ptr<const std::vector<std::uint8_t>> data;
+};
+
+/// Pairs colour and depth by their stamps while they come in: one to one, the nearest pairs first, none
+/// further apart than a tolerance. Decides on a pair as soon as nothing that may still come can change it.
+/// The stamps of each kind must increase.
+class StampPairing {
+ public:
+  /// @param tolerance  [ns]
+  explicit StampPairing(std::int64_t tolerance) : tolerance_(tolerance) {}
+
+  void add_colour(WaitingMessage message) { colour_.push_back(std::move(message)); }
+  void add_depth(WaitingMessage message) { depth_.push_back(std::move(message)); }
+  /// Nothing more will come.
+  void finish() { finished_ = true; }
+  /// No more can be waited for: the first colour image is decided on with what is there, and the oldest go if
+  /// there is none.
+  void give_way();
+
+  /// The next pair (colour, depth) in order of time; nothing if more messages are needed for it.
+  std::optional<std::pair<WaitingMessage, WaitingMessage>> next();
+
+  /// How many wait.
+  std::size_t waiting() const { return colour_.size() + depth_.size(); }
+  std::size_t waiting_bytes() const;
+  /// Colour images that found no depth so far.
+  int colour_without_depth() const { return colour_without_depth_; }
+  /// Distance to the depth image nearest to a colour image that found none [ns]; the smallest of all so far.
+  std::optional<std::int64_t> nearest_miss() const { return nearest_miss_; }
+
+ private:
+  std::optional<std::size_t> nearest_depth(std::int64_t stamp) const;
+  bool needs_more() const;
+  void drop_depth_before_colour();
+  std::optional<std::size_t> partner_of_first() const;
+
+  std::int64_t tolerance_;
+  std::deque<WaitingMessage> colour_, depth_;
+  bool finished_ = false, give_way_ = false;
+  int colour_without_depth_ = 0;
+  std::optional<std::int64_t> nearest_miss_;
+};
+
+}  // namespace stdc

@@ -1,0 +1,313 @@
+#include "input/recordings/topic_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "input/recordings/ros_messages.hpp"
+
+namespace stdc {
+namespace {
+
+using Samples = std::vector<const ImageSample*>;
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+template <std::size_t n>
+bool has_any(const std::string& name, const std::array<const char*, n>& parts) {
+  const std::string text = lower(name);
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const char* part) { return text.find(part) != std::string::npos; });
+}
+
+/// The picture's topic without what a transport puts behind it.
+std::string base_of(const std::string& topic) {
+  for (const std::string_view end : {"/compressed", "/compressedDepth"}) {
+    if (topic.ends_with(end)) return topic.substr(0, topic.size() - end.size());
+  }
+  return topic;
+}
+
+std::string leaf_of(const std::string& topic) { return topic.substr(topic.rfind('/') + 1); }
+
+/// How many names two topics share from the start on.
+int shared_names(const std::string& a, const std::string& b) {
+  int shared = 0;
+  std::size_t i = 0;
+  for (; i < a.size() && i < b.size() && a[i] == b[i]; ++i) shared += a[i] == '/';
+  const bool whole = (i == a.size() || a[i] == '/') && (i == b.size() || b[i] == '/');
+  return whole ? shared + 1 : shared;
+}
+
+bool shows_depth(const ImageSample& sample) {
+  if (has_any(sample.name, std::array{"confidence", "disparity", "variance"})) return false;
+  if (sample.meaning == PixelMeaning::depth) return true;
+  return sample.meaning == PixelMeaning::sixteen_bits &&
+         !has_any(sample.name, std::array{"infra", "/ir/", "_ir", "thermal"});
+}
+
+bool shows_colour(const ImageSample& sample) {
+  if (sample.meaning != PixelMeaning::colour && sample.meaning != PixelMeaning::grey) return false;
+  // Pictures for people, made of others.
+  return !has_any(sample.name,
+                  std::array{"depth", "disparity", "debug", "mask", "segment", "overlay", "confidence"});
+}
+
+bool named_registered(const ImageSample& sample) {
+  return has_any(sample.name,
+                 std::array{"aligned_depth_to_color", "depth_registered", "depth_to_color", "depth_to_rgb",
+                            "registered_depth", "depth_aligned", "aligned_depth"});
+}
+
+/// Keeps those for which a value is greatest.
+template <typename Value>
+void keep_best(Samples& samples, const Value& value) {
+  if (samples.empty()) return;
+  const auto best = value(**std::max_element(
+      samples.begin(), samples.end(), [&](const auto* a, const auto* b) { return value(*a) < value(*b); }));
+  std::erase_if(samples, [&](const ImageSample* sample) { return value(*sample) < best; });
+}
+
+/// Of several topics of one camera that show the same picture, how good a name is.
+int name_rank(const ImageSample& sample) {
+  const std::string leaf = leaf_of(base_of(sample.name));
+  constexpr std::array kNames{"image_rect", "image_rect_color", "image_rect_raw", "data",
+                              "image",      "image_raw",        "image_color"};
+  const auto* found = std::find(kNames.begin(), kNames.end(), leaf);
+  return found == kNames.end() ? -1 : static_cast<int>(found - kNames.begin());
+}
+
+/// Of each camera only its best topic: raw before compressed.
+Samples best_of_each_camera(const Samples& samples) {
+  Samples best;
+  for (const ImageSample* sample : samples) {
+    const auto rank = [](const ImageSample* s) { return std::pair(name_rank(*s), !s->compressed); };
+    const auto same = std::find_if(best.begin(), best.end(), [&](const ImageSample* other) {
+      return camera_of_topic(other->name) == camera_of_topic(sample->name);
+    });
+    if (same == best.end()) {
+      best.push_back(sample);
+    } else if (rank(sample) > rank(*same)) {
+      *same = sample;
+    }
+  }
+  return best;
+}
+
+std::string names_of(const Samples& samples) {
+  std::string names;
+  for (const ImageSample* sample : samples) names += (names.empty() ? "" : ", ") + sample->name;
+  return names;
+}
+
+class Chooser {
+ public:
+  Chooser(const Recording& recording, const RecordingSurvey& survey, const SourceOptions& options)
+      : recording_(recording), survey_(survey), options_(options) {}
+
+  TopicChoice choose() const {
+    const ImageSample& colour = choose_colour();
+    const ImageSample& depth = choose_depth(colour);
+    TopicChoice choice;
+    choice.colour = colour.topic;
+    choice.depth = depth.topic;
+    choice.depth_is_registered = named_registered(depth);
+    choice.colour_info = choose_info(colour, options_.colour_info_topic, "--info-topic");
+    choice.depth_info = choose_info(depth, options_.depth_info_topic, "--depth-info-topic");
+    choice.imu = choose_imu();
+    choice.truth = choose_truth();
+    return choice;
+  }
+
+ private:
+  Samples samples_that(bool (*condition)(const ImageSample&)) const {
+    Samples samples;
+    for (const ImageSample& sample : survey_.images) {
+      if (condition(sample)) samples.push_back(&sample);
+    }
+    return samples;
+  }
+
+  [[noreturn]] void fail(const std::string& problem, const std::string& hint) const {
+    throw Error(recording_.where(), problem, hint);
+  }
+
+  std::string image_topics() const {
+    std::string names;
+    for (const RecordedTopic& topic : recording_.topics()) {
+      if (topic.type == "sensor_msgs/Image" || topic.type == "sensor_msgs/CompressedImage") {
+        names += (names.empty() ? "" : ", ") + topic.name;
+      }
+    }
+    return names.empty() ? "none with images" : names;
+  }
+
+  const ImageSample& named(const std::string& topic, const char* option) const {
+    if (const ImageSample* sample = survey_.find(topic)) return *sample;
+    const std::string hint = fmt::format("give another {}; there is {}", option, image_topics());
+    if (recording_.find_topic(topic))
+      fail(fmt::format("its topic {} gives no image that can be read", topic), hint);
+    fail(fmt::format("has no topic {}", topic), hint);
+  }
+
+  const ImageSample& only_one(const Samples& samples, const char* what, const char* option) const {
+    if (samples.size() == 1) return *samples.front();
+    if (samples.empty()) {
+      std::string unknown;
+      for (const ImageSample& sample : survey_.images) {
+        if (sample.meaning == PixelMeaning::unknown) {
+          unknown += fmt::format(" ({} has the unknown encoding {})", sample.name, shown(sample.encoding));
+        }
+      }
+      fail(fmt::format("holds no {} images{}", what, unknown),
+           fmt::format("record them, or name a topic by {}; there is {}", option, image_topics()));
+    }
+    fail(fmt::format("holds {} topics with {} images: {}", samples.size(), what, names_of(samples)),
+         fmt::format("choose one by {}", option));
+  }
+
+  const ImageSample& choose_colour() const {
+    if (!options_.colour_topic.empty()) return named(options_.colour_topic, "--color-topic");
+    Samples samples = samples_that(shows_colour);
+    keep_best(samples, [](const ImageSample& sample) { return sample.meaning == PixelMeaning::colour; });
+    samples = best_of_each_camera(samples);
+    // A depth topic says by its name or its camera which colour it belongs to.
+    if (samples.size() > 1) {
+      const Samples depths = options_.depth_topic.empty()
+                                 ? samples_that(shows_depth)
+                                 : Samples{&named(options_.depth_topic, "--depth-topic")};
+      keep_best(samples, [&](const ImageSample& sample) {
+        return std::any_of(depths.begin(), depths.end(), [&](const ImageSample* depth) {
+          return depth->size == sample.size && depth->frame == sample.frame &&
+                 shared_names(camera_of_topic(depth->name), camera_of_topic(sample.name)) > 1;
+        });
+      });
+    }
+    return only_one(samples, "colour", "--color-topic");
+  }
+
+  const ImageSample& choose_depth(const ImageSample& colour) const {
+    if (!options_.depth_topic.empty()) return named(options_.depth_topic, "--depth-topic");
+    Samples samples = samples_that(shows_depth);
+    std::erase(samples, &colour);
+    const std::string camera = camera_of_topic(colour.name);
+    keep_best(samples,
+              [&](const ImageSample& sample) { return shared_names(camera_of_topic(sample.name), camera); });
+    keep_best(samples, [](const ImageSample& sample) { return named_registered(sample); });
+    keep_best(samples, [&](const ImageSample& sample) {
+      return sample.size == colour.size && sample.frame == colour.frame;
+    });
+    samples = best_of_each_camera(samples);
+    return only_one(samples, "depth", "--depth-topic");
+  }
+
+  std::optional<int> choose_info(const ImageSample& image, const std::string& topic,
+                                 const char* option) const {
+    if (!topic.empty()) {
+      const auto found = recording_.find_topic(topic);
+      if (found && survey_.infos.contains(*found)) return found;
+      fail(fmt::format("has no camera info on {}", topic),
+           fmt::format("give another {}; there is {}", option, info_topics()));
+    }
+    const std::string camera = camera_of_topic(image.name);
+    for (const char* leaf : {"/camera_info", "/info/camera_info"}) {
+      const auto found = recording_.find_topic(camera + leaf);
+      if (found && survey_.infos.contains(*found)) return found;
+    }
+    return info_by_frame(image);
+  }
+
+  /// Another camera's info may be of the same frame and size: of the colour image for registered depth.
+  std::optional<int> info_by_frame(const ImageSample& image) const {
+    std::optional<int> found;
+    for (const auto& [topic, data] : survey_.infos) {
+      const auto info =
+          read_camera_info_message(recording_.topics()[static_cast<std::size_t>(topic)].serialisation, data);
+      const bool same_size = info && info->width == static_cast<std::uint32_t>(image.size.width) &&
+                             info->height == static_cast<std::uint32_t>(image.size.height);
+      if (!same_size || (info->header.frame != image.frame && survey_.infos.size() > 1)) continue;
+      if (found) return std::nullopt;
+      found = topic;
+    }
+    return found;
+  }
+
+  std::string info_topics() const {
+    std::string names;
+    for (const auto& [topic, data] : survey_.infos) {
+      names += (names.empty() ? "" : ", ") + recording_.topics()[static_cast<std::size_t>(topic)].name;
+    }
+    return names.empty() ? "none" : names;
+  }
+
+  std::optional<int> choose_imu() const {
+    if (!options_.imu_topic.empty()) {
+      const auto found = recording_.find_topic(options_.imu_topic);
+      if (found && recording_.topics()[static_cast<std::size_t>(*found)].type == "sensor_msgs/Imu")
+        return found;
+      fail(fmt::format("has no topic {} with sensor_msgs/Imu", options_.imu_topic),
+           "give another --imu-topic");
+    }
+    std::optional<int> only;
+    for (std::size_t i = 0; i < recording_.topics().size(); ++i) {
+      const RecordedTopic& topic = recording_.topics()[i];
+      // RealSense's own recordings have one topic for each half of the sensor.
+      if (topic.type != "sensor_msgs/Imu" || topic.name.ends_with("/imu/data")) continue;
+      if (only) return std::nullopt;
+      only = static_cast<int>(i);
+    }
+    return only;
+  }
+
+  std::optional<int> choose_truth() const {
+    if (!options_.truth_topic.empty()) {
+      const auto found = recording_.find_topic(options_.truth_topic);
+      if (found) {
+        const std::string& type = recording_.topics()[static_cast<std::size_t>(*found)].type;
+        if (is_pose_type(type) || is_transforms_type(type)) return found;
+      }
+      fail(fmt::format("has no topic {} with poses", options_.truth_topic),
+           "give another --truth-topic, of PoseStamped, Odometry, TransformStamped or TFMessage");
+    }
+    std::optional<int> only;
+    for (std::size_t i = 0; i < recording_.topics().size(); ++i) {
+      const RecordedTopic& topic = recording_.topics()[i];
+      const bool named_so = has_any(topic.name, std::array{"groundtruth", "ground_truth", "/gt", "vicon",
+                                                           "mocap", "optitrack", "qualisys"});
+      if (!is_pose_type(topic.type) || !named_so || topic.count == std::uint64_t{0}) continue;
+      if (only) return std::nullopt;
+      only = static_cast<int>(i);
+    }
+    return only;
+  }
+
+  const Recording& recording_;
+  const RecordingSurvey& survey_;
+  const SourceOptions& options_;
+};
+
+}  // namespace
+
+std::string camera_of_topic(const std::string& topic) {
+  std::string base = base_of(topic);
+  constexpr std::string_view kRealSense = "/image/data";
+  if (base.ends_with(kRealSense)) return base.substr(0, base.size() - kRealSense.size());
+  const std::size_t slash = base.rfind('/');
+  return slash == std::string::npos ? "" : base.substr(0, slash);
+}
+
+bool is_rectified(const std::string& topic) { return leaf_of(base_of(topic)).starts_with("image_rect"); }
+
+TopicChoice choose_topics(const Recording& recording, const RecordingSurvey& survey,
+                          const SourceOptions& options) {
+  return Chooser(recording, survey, options).choose();
+}
+
+}  // namespace stdc
