@@ -70,17 +70,18 @@ void ChunkedRecording::finish_opening(std::vector<Chunk> chunks) {
 }
 
 bool ChunkedRecording::wanted(const Chunk& chunk) const {
-  if (chunk.last < from_) return false;
+  if (chunk.last < from_ || chunk.first > until_) return false;
   return std::any_of(chunk.channels->begin(), chunk.channels->end(), [&](std::uint64_t channel) {
     const int topic = table_.topic_of(channel);
     return topic >= 0 && chosen_[static_cast<std::size_t>(topic)];
   });
 }
 
-void ChunkedRecording::start(std::span<const int> topics, LogTime from) {
+void ChunkedRecording::start(std::span<const int> topics, LogTime from, LogTime until) {
   chosen_.assign(table_.topics().size(), false);
   for (const int topic : topics) chosen_.at(static_cast<std::size_t>(topic)) = true;
   from_ = from;
+  until_ = until;
   next_chunk_ = 0;
   for (auto& open : open_) spare_.push_back(std::move(open));
   open_.clear();
@@ -95,7 +96,8 @@ void ChunkedRecording::open_next_chunk() {
   std::vector<ChunkContent::Message>& messages = open->content.messages;
   std::erase_if(messages, [&](const ChunkContent::Message& message) {
     const int topic = table_.topic_of(message.channel);
-    return topic < 0 || !chosen_[static_cast<std::size_t>(topic)] || message.time < from_;
+    return topic < 0 || !chosen_[static_cast<std::size_t>(topic)] || message.time < from_ ||
+           message.time > until_;
   });
   if (messages.empty()) {
     spare_.push_back(std::move(open));

@@ -40,7 +40,7 @@ class ChunkedRecording : public Recording {
   const std::vector<RecordedTopic>& topics() const override { return table_.topics(); }
   std::optional<LogTime> first_time() const override;
   std::optional<LogTime> last_time() const override;
-  void start(std::span<const int> topics, LogTime from) override;
+  void start(std::span<const int> topics, LogTime from, LogTime until) override;
   std::optional<RecordedMessage> next() override;
   std::vector<std::string> faults() const override { return faults_; }
 
@@ -73,7 +73,7 @@ class ChunkedRecording : public Recording {
 
   // Of the reading that start() began:
   std::vector<bool> chosen_;  ///< by topic
-  LogTime from_ = kBegin;
+  LogTime from_ = kBegin, until_ = kEnd;
   std::size_t next_chunk_ = 0;
   std::vector<std::unique_ptr<OpenChunk>> open_;
   std::vector<std::unique_ptr<OpenChunk>> spare_;  ///< whose memory is used again

@@ -62,14 +62,19 @@ class Db3Recording : public Recording {
   std::optional<LogTime> last_time() const override { return last_; }
   std::vector<std::string> faults() const override { return faults_; }
 
-  void start(std::span<const int> topics, LogTime from) override {
+  void start(std::span<const int> topics, LogTime from, LogTime until) override {
+    statement_.reset();
+    if (topics.empty()) return;
     chosen_.assign(table_.topics().size(), false);
     for (const int topic : topics) chosen_.at(static_cast<std::size_t>(topic)) = true;
     // Topics are passed over here, not by SQL: it would then sort rather than follow the index of times.
-    statement_ = prepare(
-        fmt::format("SELECT topic_id, timestamp, data FROM messages WHERE timestamp >= ?1 ORDER BY {}",
-                    has_time_index_ ? "timestamp" : "id"));
-    if (statement_) sqlite3_bind_int64(statement_.get(), 1, from);
+    statement_ =
+        prepare(fmt::format("SELECT topic_id, timestamp, data FROM messages WHERE timestamp >= ?1 AND "
+                            "timestamp <= ?2 ORDER BY {}",
+                            has_time_index_ ? "timestamp" : "id"));
+    if (!statement_) return;
+    sqlite3_bind_int64(statement_.get(), 1, from);
+    sqlite3_bind_int64(statement_.get(), 2, until);
   }
 
   std::optional<RecordedMessage> next() override {

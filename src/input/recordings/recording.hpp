@@ -41,6 +41,7 @@ struct RecordedMessage {
 class Recording {
  public:
   static constexpr LogTime kBegin = std::numeric_limits<LogTime>::min();
+  static constexpr LogTime kEnd = std::numeric_limits<LogTime>::max();
 
   virtual ~Recording() = default;
   Recording() = default;
@@ -56,8 +57,8 @@ class Recording {
   virtual std::optional<LogTime> first_time() const = 0;
   virtual std::optional<LogTime> last_time() const = 0;
 
-  /// Begins to give the messages of some topics (indices), from the first one recorded at `from` or later.
-  virtual void start(std::span<const int> topics, LogTime from = kBegin) = 0;
+  /// Begins to give the messages of some topics (indices) that were recorded from `from` to `until`.
+  virtual void start(std::span<const int> topics, LogTime from = kBegin, LogTime until = kEnd) = 0;
   /// The next message in order of log time; nothing at the end.
   virtual std::optional<RecordedMessage> next() = 0;
 

@@ -14,7 +14,7 @@ namespace {
 
 class CameraFinder {
  public:
-  CameraFinder(const Recording& recording, const RecordingSurvey& survey, const TopicChoice& choice)
+  CameraFinder(Recording& recording, const RecordingSurvey& survey, const TopicChoice& choice)
       : recording_(recording),
         survey_(survey),
         choice_(choice),
@@ -64,7 +64,7 @@ class CameraFinder {
   bool is_registered(const Camera& colour) {
     if (depth_.size != cv::Size(colour.width, colour.height)) return false;
     if (choice_.depth_is_registered || depth_.frame == colour_.frame) return true;
-    if (colour_from_depth() && choice_.depth_info) return false;
+    if (choice_.depth_info && colour_from_depth()) return false;
     result_.notes.push_back(
         fmt::format("{}: depth of {} (frame '{}') is taken as registered to {} (frame '{}'): the recording "
                     "does not say otherwise",
@@ -73,8 +73,8 @@ class CameraFinder {
   }
 
   bool add_depth_camera(RgbdCameras& cameras) {
-    const std::optional<Pose> pose = colour_from_depth();
-    if (!pose || !choice_.depth_info) {
+    const std::optional<Pose> pose = choice_.depth_info ? colour_from_depth() : std::nullopt;
+    if (!pose) {
       result_.hint = fmt::format(
           "depth of {} ({} x {}) is not registered to {}: record its camera_info and /tf_static as well, or "
           "give a "
@@ -93,10 +93,10 @@ class CameraFinder {
       return colour->second * depth->second.inverse();
     }
     if (colour_.frame.empty() || depth_.frame.empty()) return std::nullopt;
-    return survey_.transforms.find(colour_.frame, depth_.frame);
+    return read_transforms(recording_).find(colour_.frame, depth_.frame);
   }
 
-  const Recording& recording_;
+  Recording& recording_;
   const RecordingSurvey& survey_;
   const TopicChoice& choice_;
   const ImageSample &colour_, &depth_;
@@ -105,7 +105,7 @@ class CameraFinder {
 
 }  // namespace
 
-RecordingCameras find_cameras(const Recording& recording, const RecordingSurvey& survey,
+RecordingCameras find_cameras(Recording& recording, const RecordingSurvey& survey,
                               const TopicChoice& choice) {
   return CameraFinder(recording, survey, choice).find();
 }

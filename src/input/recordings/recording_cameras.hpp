@@ -18,9 +18,8 @@ struct RecordingCameras {
 
 /// By CameraInfo, and for depth that is not registered to colour by tf_static or RealSense's extrinsics.
 /// Depth of 16 bits is in millimetres (REP 118) unless a RealSense recording says otherwise. Throws Error for
-/// a CameraInfo that makes no sense.
-RecordingCameras find_cameras(const Recording& recording, const RecordingSurvey& survey,
-                              const TopicChoice& choice);
+/// a CameraInfo that makes no sense. Starts the recording anew.
+RecordingCameras find_cameras(Recording& recording, const RecordingSurvey& survey, const TopicChoice& choice);
 
 /// Median rate of the stamps of a topic's first images [Hz]; nothing if there are fewer than two.
 std::optional<double> rate_of(const ImageSample& sample);

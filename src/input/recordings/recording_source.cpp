@@ -61,7 +61,6 @@ class RecordingSource : public FrameSource {
     check_clocks(colour, depth);
     tolerance_ = use_log_times_ ? 25'000'000 : tolerance_of(colour);
     found_ = find_cameras(*recording_, survey, choice_);
-    transforms_ = survey.transforms;
     colour_frame_ = colour.frame;
     colour_topic_ = image_topic(colour);
     depth_topic_ = image_topic(depth);
@@ -107,7 +106,8 @@ class RecordingSource : public FrameSource {
   std::optional<GroundTruth> ground_truth() const override {
     if (!choice_.truth) return std::nullopt;
     const std::unique_ptr<Recording> recording = open_();
-    return read_recorded_truth(*recording, *choice_.truth, transforms_, colour_frame_);
+    const TransformTree transforms = read_transforms(*recording);
+    return read_recorded_truth(*recording, *choice_.truth, transforms, colour_frame_);
   }
   std::string truth_where() const override {
     return choice_.truth ? fmt::format("{} ({})", where(), topic(*choice_.truth).name) : where();
@@ -252,7 +252,6 @@ class RecordingSource : public FrameSource {
   std::unique_ptr<Recording> recording_;
   TopicChoice choice_;
   RecordingCameras found_;
-  TransformTree transforms_;
   std::string colour_frame_;
   std::shared_ptr<const ImageTopic> colour_topic_, depth_topic_;
   std::vector<std::string> notes_;

@@ -110,21 +110,15 @@ std::optional<std::string> before(const std::string& name, std::string_view end)
 
 constexpr std::string_view kDepthUnits = "/option/Depth_Units/value", kStreamPose = "/tf/0";
 
-/// Whether one message of a topic says all of it.
-bool says_it_once(const RecordedTopic& topic) {
-  return topic.type == "sensor_msgs/CameraInfo" || topic.name.ends_with("tf_static") ||
-         before(topic.name, kDepthUnits) ||
+/// Whether a topic describes a camera, all in one message.
+bool describes_camera(const RecordedTopic& topic) {
+  return topic.type == "sensor_msgs/CameraInfo" || before(topic.name, kDepthUnits) ||
          (topic.type == "geometry_msgs/Transform" && before(topic.name, kStreamPose));
 }
 
 void take(const RecordedTopic& topic, const RecordedMessage& message, RecordingSurvey& result) {
   if (topic.type == "sensor_msgs/CameraInfo") {
     result.infos.try_emplace(message.topic, message.data.begin(), message.data.end());
-  } else if (is_transforms_type(topic.type)) {
-    const auto transforms = read_transforms_message(topic.serialisation, message.data);
-    for (const TransformMessage& t : transforms.value_or(std::vector<TransformMessage>())) {
-      result.transforms.add(t.header.frame, t.child, t.parent_from_child);
-    }
   } else if (const auto sensor = before(topic.name, kDepthUnits)) {
     const auto unit = read_number_message(topic.type, topic.serialisation, message.data);
     if (unit) result.depth_units.try_emplace(*sensor, *unit);
@@ -134,41 +128,30 @@ void take(const RecordedTopic& topic, const RecordedMessage& message, RecordingS
   }
 }
 
-/// Reads the first message of each such topic, and all of tf_static within some time of its first.
-void look_at_descriptions(Recording& recording, RecordingSurvey& result) {
-  const std::vector<int> topics = topics_where(recording, says_it_once);
+/// Reads one message of each topic.
+void look_at(Recording& recording, const std::vector<int>& topics, LogTime until, RecordingSurvey& result) {
   std::set<int> open(topics.begin(), topics.end());
-  std::optional<LogTime> first_static;
-  recording.start(topics);
+  if (!topics.empty()) recording.start(topics, Recording::kBegin, until);
   while (!open.empty()) {
     const auto message = recording.next();
-    if (!message) break;
-    const RecordedTopic& topic = recording.topics()[static_cast<std::size_t>(message->topic)];
-    take(topic, *message, result);
-    const bool is_static = topic.name.ends_with("tf_static");
-    if (is_static && !first_static) first_static = message->log_time;
-    // Each publisher of tf_static sends its own message at the start.
-    if (!is_static || topic.count == std::uint64_t{1}) open.erase(message->topic);
-    if (first_static && message->log_time - *first_static > kPatience) {
-      std::erase_if(open, [&](int t) {
-        return recording.topics()[static_cast<std::size_t>(t)].name.ends_with("tf_static");
-      });
-    }
+    if (!message) return;
+    if (open.erase(message->topic) == 0) continue;
+    take(recording.topics()[static_cast<std::size_t>(message->topic)], *message, result);
   }
 }
 
-/// Where tf_static says nothing, old robots publish what stands still on /tf as well.
-void look_at_moving_transforms(Recording& recording, RecordingSurvey& result) {
-  const std::vector<int> topics = topics_where(recording, [](const RecordedTopic& topic) {
-    return is_transforms_type(topic.type) && !topic.name.ends_with("tf_static");
-  });
-  recording.start(topics);
-  std::optional<LogTime> first;
-  while (const auto message = recording.next()) {
-    take(recording.topics()[static_cast<std::size_t>(message->topic)], *message, result);
-    if (!first) first = message->log_time;
-    if (message->log_time - *first > kPatience) break;
-  }
+/// What lies within this time from the first message on is the beginning [ns].
+constexpr LogTime kBeginning = 5'000'000'000;
+
+LogTime end_of_beginning(const Recording& recording) {
+  return recording.first_time().value_or(0) + kBeginning;
+}
+
+void look_at_descriptions(Recording& recording, RecordingSurvey& result) {
+  look_at(recording, topics_where(recording, describes_camera), end_of_beginning(recording), result);
+  if (!result.infos.empty()) return;
+  const auto is_info = [](const RecordedTopic& topic) { return topic.type == "sensor_msgs/CameraInfo"; };
+  look_at(recording, topics_where(recording, is_info), Recording::kEnd, result);
 }
 
 }  // namespace
@@ -183,8 +166,26 @@ RecordingSurvey survey(Recording& recording) {
   RecordingSurvey result;
   look_at_images(recording, result);
   look_at_descriptions(recording, result);
-  look_at_moving_transforms(recording, result);
   return result;
+}
+
+TransformTree read_transforms(Recording& recording) {
+  TransformTree tree;
+  // What stands still first: of a child the first word counts.
+  for (const bool still : {true, false}) {
+    const std::vector<int> topics = topics_where(recording, [&](const RecordedTopic& topic) {
+      return is_transforms_type(topic.type) && topic.name.ends_with("tf_static") == still;
+    });
+    recording.start(topics, Recording::kBegin, end_of_beginning(recording));
+    while (const auto message = recording.next()) {
+      const auto serialisation = recording.topics()[static_cast<std::size_t>(message->topic)].serialisation;
+      const auto transforms = read_transforms_message(serialisation, message->data);
+      for (const TransformMessage& t : transforms.value_or(std::vector<TransformMessage>())) {
+        tree.add(t.header.frame, t.child, t.parent_from_child);
+      }
+    }
+  }
+  return tree;
 }
 
 }  // namespace stdc

@@ -26,15 +26,18 @@ struct ImageSample {
 struct RecordingSurvey {
   std::vector<ImageSample> images;                 ///< topics with at least one image, in the order of names
   std::map<int, std::vector<std::uint8_t>> infos;  ///< first CameraInfo message by topic
-  TransformTree transforms;                        ///< of tf_static, and of tf where that says nothing
   std::map<std::string, double> depth_units;       ///< RealSense: by sensor, "/device_0/sensor_0" [m]
   std::map<std::string, Pose> stream_from_device;  ///< RealSense: by stream, "/device_0/sensor_0/Depth_0"
 
   const ImageSample* find(std::string_view name) const;
 };
 
-/// Reads the beginning, until each image topic has shown some images, and the first message of what describes
-/// cameras wherever it is. Starts the recording anew.
+/// Reads the beginning, until each image topic has shown some images and what describes cameras has been
+/// seen; camera info wherever it is. Starts the recording anew.
 RecordingSurvey survey(Recording& recording);
+
+/// Reads the transforms of the first seconds: tf_static, and tf where that says nothing. Not part of the
+/// survey: it takes longer, and most recordings can do without. Starts the recording anew.
+TransformTree read_transforms(Recording& recording);
 
 }  // namespace stdc

@@ -66,9 +66,10 @@ class Rosbag2Folder : public Recording {
   std::optional<LogTime> first_time() const override { return first_; }
   std::optional<LogTime> last_time() const override { return last_; }
 
-  void start(std::span<const int> topics, LogTime from) override {
+  void start(std::span<const int> topics, LogTime from, LogTime until) override {
     chosen_.assign(topics.begin(), topics.end());
     from_ = from;
+    until_ = until;
     keep_faults();
     part_.reset();
     next_file_ = 0;
@@ -173,7 +174,7 @@ class Rosbag2Folder : public Recording {
       topic_of_part_[static_cast<std::size_t>(*found)] = topic;
       chosen.push_back(*found);
     }
-    part_->start(chosen, from_);
+    part_->start(chosen, from_, until_);
     return true;
   }
 
@@ -186,7 +187,7 @@ class Rosbag2Folder : public Recording {
   std::vector<std::string> faults_;
 
   std::vector<int> chosen_;
-  LogTime from_ = kBegin;
+  LogTime from_ = kBegin, until_ = kEnd;
   std::size_t next_file_ = 0;
   std::unique_ptr<Recording> part_;  ///< null: none is open
   std::vector<int> topic_of_part_;   ///< by its index in the open file

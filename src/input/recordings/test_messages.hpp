@@ -131,15 +131,18 @@ class TestRecording : public Recording {
   const std::vector<RecordedTopic>& topics() const override { return topics_; }
   std::optional<LogTime> first_time() const override { return messages_.front().time; }
   std::optional<LogTime> last_time() const override { return messages_.back().time; }
-  void start(std::span<const int> topics, LogTime from) override {
+  void start(std::span<const int> topics, LogTime from, LogTime until) override {
     chosen_.assign(topics.begin(), topics.end());
     from_ = from;
+    until_ = until;
     next_ = 0;
   }
   std::optional<RecordedMessage> next() override {
     while (next_ < messages_.size()) {
       const Message& message = messages_[next_++];
-      if (message.time < from_ || std::count(chosen_.begin(), chosen_.end(), message.topic) == 0) continue;
+      if (message.time < from_ || message.time > until_ ||
+          std::count(chosen_.begin(), chosen_.end(), message.topic) == 0)
+        continue;
       return RecordedMessage{message.topic, message.time, message.data};
     }
     return std::nullopt;
@@ -156,7 +159,7 @@ class TestRecording : public Recording {
   std::vector<RecordedTopic> topics_;
   std::vector<Message> messages_;
   std::vector<int> chosen_;
-  LogTime from_ = kBegin;
+  LogTime from_ = kBegin, until_ = kEnd;
   std::size_t next_ = 0;
 };
 

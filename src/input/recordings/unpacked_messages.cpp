@@ -18,7 +18,9 @@ class UnpackedMessages : public Recording {
   const std::vector<RecordedTopic>& topics() const override { return packed_->topics(); }
   std::optional<LogTime> first_time() const override { return packed_->first_time(); }
   std::optional<LogTime> last_time() const override { return packed_->last_time(); }
-  void start(std::span<const int> topics, LogTime from) override { packed_->start(topics, from); }
+  void start(std::span<const int> topics, LogTime from, LogTime until) override {
+    packed_->start(topics, from, until);
+  }
 
   std::optional<RecordedMessage> next() override {
     while (std::optional<RecordedMessage> message = packed_->next()) {
