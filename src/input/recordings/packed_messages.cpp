@@ -23,7 +23,7 @@ void check_size(const PackedMessage& message, cv::Size has, cv::Size wanted) {
   throw Error(message.where(),
               fmt::format("is {} x {} pixels, but the camera has {} x {}", has.width, has.height,
                           wanted.width, wanted.height),
-              "give the camera of these images with --camera or --info-topic");
+              "give the camera of these images with --camera or --info");
 }
 
 /// Calls one of two functions with the message, depending on its kind.

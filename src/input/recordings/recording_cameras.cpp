@@ -23,9 +23,9 @@ class CameraFinder {
 
   RecordingCameras find() {
     if (!choice_.colour_info) {
-      result_.hint = fmt::format(
-          "record camera_info beside {}, name it by --info-topic, or give a camera file with --camera",
-          colour_.name);
+      result_.hint =
+          fmt::format("record camera_info beside {}, name it by --info, or give a camera file with --camera",
+                      colour_.name);
       return result_;
     }
     RgbdCameras cameras;

@@ -86,28 +86,30 @@ class RecordingSource : public FrameSource {
   void rewind() override {
     std::vector<int> topics{choice_.colour, choice_.depth};
     if (choice_.imu) topics.push_back(*choice_.imu);
+    if (collects_truth()) topics.push_back(*choice_.truth);
     recording_->start(topics);
     pairing_ = std::make_unique<StampPairing>(tolerance_);
     forward_.clear();
     imu_.clear();
+    truth_ = {};
     ended_ = given_ = false;
     damaged_ = 0;
   }
 
-  std::optional<int> frame_count() const override {
-    const auto colour = topic(choice_.colour).count, depth = topic(choice_.depth).count;
-    if (!colour || !depth) return std::nullopt;
-    return static_cast<int>(std::min({*colour, *depth, std::uint64_t{1'000'000'000}}));
-  }
+  /// How many pairs there are is known when the last one was made.
+  std::optional<int> frame_count() const override { return std::nullopt; }
 
   std::optional<RgbdCameras> cameras() const override { return found_.cameras; }
   std::string camera_hint() const override { return found_.hint; }
 
+  /// At the end it has been read along with the images; before that the recording is gone through for it.
   std::optional<GroundTruth> ground_truth() const override {
     if (!choice_.truth) return std::nullopt;
+    const bool collected = ended_ && collects_truth();
+    if (collected && !truth_.names_what_moves()) return truth_.trajectory({}, colour_frame_);
     const std::unique_ptr<Recording> recording = open_();
-    const TransformTree transforms = read_transforms(*recording);
-    return read_recorded_truth(*recording, *choice_.truth, transforms, colour_frame_);
+    if (collected) return truth_.trajectory(read_transforms(*recording), colour_frame_);
+    return read_recorded_truth(*recording, *choice_.truth, colour_frame_);
   }
   std::string truth_where() const override {
     return choice_.truth ? fmt::format("{} ({})", where(), topic(*choice_.truth).name) : where();
@@ -136,6 +138,9 @@ class RecordingSource : public FrameSource {
     return recording_->topics()[static_cast<std::size_t>(index)];
   }
 
+  /// Not of /tf, which holds much else.
+  bool collects_truth() const { return choice_.truth && is_pose_type(topic(*choice_.truth).type); }
+
   std::shared_ptr<const ImageTopic> image_topic(const ImageSample& sample) const {
     return std::make_shared<ImageTopic>(
         ImageTopic{where(), sample.name, topic(sample.topic).serialisation, sample.compressed});
@@ -155,7 +160,7 @@ class RecordingSource : public FrameSource {
             "recorded {:.3f} s apart",
             colour.name, depth.name, 1e-9 * static_cast<double>(depth.stamp - colour.stamp),
             1e-9 * static_cast<double>(depth.log_time - colour.log_time)),
-        "record with one clock for both, or choose other topics by --color-topic and --depth-topic");
+        "record with one clock for both, or choose other topics by --color and --depth");
   }
 
   [[noreturn]] void throw_no_pair() const {
@@ -166,7 +171,7 @@ class RecordingSource : public FrameSource {
             "no image of {} lies within {:.0f} ms of one of {}{}", topic(choice_.depth).name,
             1e-6 * static_cast<double>(tolerance_), topic(choice_.colour).name,
             miss ? fmt::format(" (the nearest is {:.3f} s away)", 1e-9 * static_cast<double>(*miss)) : ""),
-        "record with one clock for both, or choose other topics by --color-topic and --depth-topic");
+        "record with one clock for both, or choose other topics by --color and --depth");
   }
 
   /// Reads one message; decides what can be decided when no more can wait.
@@ -186,6 +191,10 @@ class RecordingSource : public FrameSource {
     const RecordedTopic& recorded = topic(message->topic);
     if (choice_.imu && message->topic == *choice_.imu) {
       add_imu(recorded, *message);
+      return;
+    }
+    if (choice_.truth && message->topic == *choice_.truth) {
+      truth_.take(recorded, message->data);
       return;
     }
     const auto header = read_message_header(recorded.serialisation, message->data);
@@ -262,6 +271,7 @@ class RecordingSource : public FrameSource {
   std::unique_ptr<StampPairing> pairing_;
   std::map<int, ForwardStamps> forward_;  ///< by topic
   std::vector<ImuSample> imu_;            ///< not given yet
+  RecordedTruth truth_;                   ///< as far as read
   bool ended_ = false, given_ = false;
   int damaged_ = 0;
 };

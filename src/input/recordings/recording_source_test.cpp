@@ -161,14 +161,14 @@ TEST(RecordingSource, NamesTheTopicsIfThereAreSeveralOrNone) {
   const std::string several = refusal(two);
   EXPECT_TRUE(has(several, "test.bag: holds 2 topics with colour images: /left/color/image_raw, /right"))
       << several;
-  EXPECT_TRUE(has(several, "; choose one by --color-topic")) << several;
+  EXPECT_TRUE(has(several, "; choose one by --color")) << several;
   SourceOptions right;
   right.colour_topic = "/right/color/image_raw";
   EXPECT_TRUE(has(source_of(two, right)->notes().back(), "depth from /right/depth/image_raw"));
   SourceOptions wrong;
   wrong.depth_topic = "/none";
   const std::string absent = refusal(two, wrong);
-  EXPECT_TRUE(has(absent, "has no topic /none; give another --depth-topic; there is /left/color")) << absent;
+  EXPECT_TRUE(has(absent, "has no topic /none; give another --depth; there is /left/color")) << absent;
 
   test::TestRecording unknown;
   add_images(unknown, {.encoding = "bayer_weird"});
@@ -300,6 +300,37 @@ TEST(RecordingSource, NamesTheMessageThatCannotBeDecoded) {
       << message;
   const std::string size = message_of([&] { frame->images->depth({640, 480}); });
   EXPECT_TRUE(has(size, "is 64 x 64 pixels, but the camera has 640 x 480")) << size;
+}
+
+TEST(RecordingSource, GroundTruthIsThatOfTheCamera) {
+  const auto shift = [](double x) { return Pose(Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)); };
+  test::TestRecording recording;
+  add_images(recording, {});
+  add_info(recording);
+  recording.add("/tf_static", "tf2_msgs/TFMessage", kStart,
+                test::transform_message(Style::ros1, "body", kFrame, shift(0.5)));
+  for (int i = 0; i < 3; ++i) {
+    test::MessageWriter odometry(Style::ros1), transform(Style::ros1);
+    odometry.header(time_of(i), "world").text("/body").pose(shift(i)).doubles(std::vector<double>(84));
+    recording.add("/vicon/body/odom", "nav_msgs/Odometry", time_of(i), odometry);
+    transform.number(1U).header(time_of(i), "/world").text("/body").pose(shift(10 + i));
+    recording.add("/tf", "tf2_msgs/TFMessage", time_of(i), transform);
+  }
+  const auto source = source_of(recording);
+  for (int run = 0; run < 2; ++run) {  // before the frames are read and after
+    const auto truth = source->ground_truth();
+    ASSERT_TRUE(truth.has_value() && truth->poses.size() == 3);
+    EXPECT_EQ(truth->rows, 3);
+    EXPECT_NEAR(truth->poses[2].world_from_cam.translation.x(), 2.5, 1e-12);
+    EXPECT_EQ(count_frames(*source), run == 0 ? 4 : 0);
+  }
+  SourceOptions options;
+  options.truth_topic = "/tf";
+  const auto truth = source_of(recording, options)->ground_truth();
+  ASSERT_TRUE(truth.has_value() && truth->poses.size() == 3);
+  EXPECT_NEAR(truth->poses[2].world_from_cam.translation.x(), 12.5, 1e-12);
+  options.truth_topic = kColour;
+  EXPECT_TRUE(has(refusal(recording, options), "has no topic /camera/color/image_raw with poses"));
 }
 
 TEST(RecordingSource, FramesCarryTheInertialReadingsUpToTheirTime) {

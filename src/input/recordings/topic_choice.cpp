@@ -119,8 +119,8 @@ class Chooser {
     choice.colour = colour.topic;
     choice.depth = depth.topic;
     choice.depth_is_registered = named_registered(depth);
-    choice.colour_info = choose_info(colour, options_.colour_info_topic, "--info-topic");
-    choice.depth_info = choose_info(depth, options_.depth_info_topic, "--depth-info-topic");
+    choice.colour_info = choose_info(colour, options_.colour_info_topic, "--info");
+    choice.depth_info = choose_info(depth, options_.depth_info_topic, "--depth-info");
     choice.imu = choose_imu();
     choice.truth = choose_truth();
     return choice;
@@ -174,15 +174,14 @@ class Chooser {
   }
 
   const ImageSample& choose_colour() const {
-    if (!options_.colour_topic.empty()) return named(options_.colour_topic, "--color-topic");
+    if (!options_.colour_topic.empty()) return named(options_.colour_topic, "--color");
     Samples samples = samples_that(shows_colour);
     keep_best(samples, [](const ImageSample& sample) { return sample.meaning == PixelMeaning::colour; });
     samples = best_of_each_camera(samples);
     // A depth topic says by its name or its camera which colour it belongs to.
     if (samples.size() > 1) {
-      const Samples depths = options_.depth_topic.empty()
-                                 ? samples_that(shows_depth)
-                                 : Samples{&named(options_.depth_topic, "--depth-topic")};
+      const Samples depths = options_.depth_topic.empty() ? samples_that(shows_depth)
+                                                          : Samples{&named(options_.depth_topic, "--depth")};
       keep_best(samples, [&](const ImageSample& sample) {
         return std::any_of(depths.begin(), depths.end(), [&](const ImageSample* depth) {
           return depth->size == sample.size && depth->frame == sample.frame &&
@@ -190,11 +189,11 @@ class Chooser {
         });
       });
     }
-    return only_one(samples, "colour", "--color-topic");
+    return only_one(samples, "colour", "--color");
   }
 
   const ImageSample& choose_depth(const ImageSample& colour) const {
-    if (!options_.depth_topic.empty()) return named(options_.depth_topic, "--depth-topic");
+    if (!options_.depth_topic.empty()) return named(options_.depth_topic, "--depth");
     Samples samples = samples_that(shows_depth);
     std::erase(samples, &colour);
     const std::string camera = camera_of_topic(colour.name);
@@ -205,7 +204,7 @@ class Chooser {
       return sample.size == colour.size && sample.frame == colour.frame;
     });
     samples = best_of_each_camera(samples);
-    return only_one(samples, "depth", "--depth-topic");
+    return only_one(samples, "depth", "--depth");
   }
 
   std::optional<int> choose_info(const ImageSample& image, const std::string& topic,
@@ -252,8 +251,7 @@ class Chooser {
       const auto found = recording_.find_topic(options_.imu_topic);
       if (found && recording_.topics()[static_cast<std::size_t>(*found)].type == "sensor_msgs/Imu")
         return found;
-      fail(fmt::format("has no topic {} with sensor_msgs/Imu", options_.imu_topic),
-           "give another --imu-topic");
+      fail(fmt::format("has no topic {} with sensor_msgs/Imu", options_.imu_topic), "give another --imu");
     }
     std::optional<int> only;
     for (std::size_t i = 0; i < recording_.topics().size(); ++i) {
@@ -274,7 +272,7 @@ class Chooser {
         if (is_pose_type(type) || is_transforms_type(type)) return found;
       }
       fail(fmt::format("has no topic {} with poses", options_.truth_topic),
-           "give another --truth-topic, of PoseStamped, Odometry, TransformStamped or TFMessage");
+           "give another --truth, of PoseStamped, Odometry, TransformStamped or TFMessage");
     }
     std::optional<int> only;
     for (std::size_t i = 0; i < recording_.topics().size(); ++i) {
