@@ -49,10 +49,11 @@ class Db3Recording : public Recording {
     read_topics();
     first_ = single_number("SELECT MIN(timestamp) FROM messages");
     last_ = single_number("SELECT MAX(timestamp) FROM messages");
-    has_time_index_ = single_number(
-                          "SELECT COUNT(*) FROM sqlite_master WHERE type='index' AND tbl_name='messages' "
-                          "AND sql LIKE '%(timestamp%'")
-                          .value_or(0) > 0;
+    has_time_index_ =
+        !cut_off_ && single_number(
+                         "SELECT COUNT(*) FROM sqlite_master WHERE type='index' AND tbl_name='messages' "
+                         "AND sql LIKE '%(timestamp%'")
+                             .value_or(0) > 0;
   }
 
   std::string where() const override { return where_; }
@@ -69,9 +70,9 @@ class Db3Recording : public Recording {
     for (const int topic : topics) chosen_.at(static_cast<std::size_t>(topic)) = true;
     // Topics are passed over here, not by SQL: it would then sort rather than follow the index of times.
     statement_ =
-        prepare(fmt::format("SELECT topic_id, timestamp, data FROM messages WHERE timestamp >= ?1 AND "
+        prepare(fmt::format("SELECT topic_id, timestamp, data FROM messages {} WHERE timestamp >= ?1 AND "
                             "timestamp <= ?2 ORDER BY {}",
-                            has_time_index_ ? "timestamp" : "id"));
+                            has_time_index_ ? "" : "NOT INDEXED", has_time_index_ ? "timestamp" : "id"));
     if (!statement_) return;
     sqlite3_bind_int64(statement_.get(), 1, from);
     sqlite3_bind_int64(statement_.get(), 2, until);
@@ -81,7 +82,7 @@ class Db3Recording : public Recording {
     while (statement_) {
       const int result = sqlite3_step(statement_.get());
       if (result != SQLITE_ROW) {
-        if (result != SQLITE_DONE) {
+        if (result != SQLITE_DONE && !cut_off_) {
           add_fault(fmt::format("is damaged ({}); it is read up to there", sqlite3_errmsg(database_.get())));
         }
         statement_.reset();
@@ -104,20 +105,19 @@ class Db3Recording : public Recording {
     if (std::find(faults_.begin(), faults_.end(), line) == faults_.end()) faults_.push_back(line);
   }
 
+  /// Opens the file as it is; then as if nobody else could change it, which a folder that cannot be written
+  /// to or the log of a recorder that was killed may need; then as one that was cut off, which SQLite refuses
+  /// at first.
   void open(const std::filesystem::path& path) {
-    // A recording in a folder that cannot be written to, or with the log of a recorder that was killed, may
-    // need what a read-only database does not allow; then it is read as if nobody else could change it.
-    for (const bool immutable : {false, true}) {
-      sqlite3* opened = nullptr;
-      const int result =
-          sqlite3_open_v2(read_only_uri(path, immutable).c_str(), &opened,
-                          SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
-      database_.reset(opened);
-      if (result != SQLITE_OK) continue;
-      sqlite3_limit(opened, SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxPiece));
-      if (prepare("SELECT id, name, type, serialization_format FROM topics LIMIT 1") &&
-          sqlite3_step(prepare("SELECT id FROM messages LIMIT 1").get()) != SQLITE_CANTOPEN) {
-        if (immutable) add_fault("has a log that cannot be played back here; what the log holds is left out");
+    for (const bool cut_off : {false, true}) {
+      for (const bool immutable : {false, true}) {
+        if (!try_to_open(path, immutable, cut_off)) continue;
+        cut_off_ = cut_off;
+        if (cut_off) {
+          add_fault("is cut off; it is read as far as it goes");
+        } else if (immutable) {
+          add_fault("has a log that cannot be played back here; what the log holds is left out");
+        }
         return;
       }
     }
@@ -125,6 +125,21 @@ class Db3Recording : public Recording {
                 fmt::format("is no recording of rosbag2 ({})",
                             database_ ? sqlite3_errmsg(database_.get()) : "no memory"),
                 kHint);
+  }
+
+  bool try_to_open(const std::filesystem::path& path, bool immutable, bool cut_off) {
+    sqlite3* opened = nullptr;
+    const int result = sqlite3_open_v2(read_only_uri(path, immutable).c_str(), &opened,
+                                       SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
+    database_.reset(opened);
+    if (result != SQLITE_OK) return false;
+    sqlite3_limit(opened, SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxPiece));
+    if (cut_off) sqlite3_exec(opened, "PRAGMA writable_schema=ON", nullptr, nullptr, nullptr);
+    if (!prepare("SELECT id, name, type, serialization_format FROM topics LIMIT 1")) return false;
+    const Statement messages = prepare("SELECT id, topic_id, timestamp, data FROM messages LIMIT 1");
+    if (!messages) return false;
+    const int step = sqlite3_step(messages.get());
+    return step == SQLITE_ROW || step == SQLITE_DONE;
   }
 
   Statement prepare(const std::string& sql) {
@@ -156,7 +171,7 @@ class Db3Recording : public Recording {
   Database database_;
   TopicTable table_;
   std::optional<LogTime> first_, last_;
-  bool has_time_index_ = false;
+  bool has_time_index_ = false, cut_off_ = false;
   std::vector<std::string> faults_;
   std::vector<bool> chosen_;
   Statement statement_;  ///< null: at the end
