@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segmentation/network/kernels/integer_winograd.hpp"
 #include "segmentation/network/kernels/tensor_kernels.hpp"
 #include "segmentation/network/kernels/winograd_convolution.hpp"
 
@@ -60,6 +61,11 @@ void NetworkBuilder::convolution_into(const ConvolutionWeights& layer, const Act
   if (threads_ == 1 && options.relu && WinogradConvolution::suits(layer, source.view(), target.view())) {
     const auto winograd = std::make_shared<WinogradConvolution>(layer, source.view(), target.view());
     add(layer.name, "own Winograd", count, [winograd] { winograd->run(); });
+    return;
+  }
+  if (threads_ == 1 && options.relu && IntegerWinograd::suits(layer, source.view(), target.view())) {
+    const auto winograd = std::make_shared<IntegerWinograd>(layer, source.view(), target.view(), complete);
+    add(layer.name, "own integer Winograd", count, [winograd] { winograd->run(); });
     return;
   }
   const auto kernel =

@@ -29,8 +29,8 @@ struct PlannedStep {
 };
 
 /// Puts a network together step by step: it owns the memory of all activations, the kernels, and the list of
-/// steps. Convolutions run in fp32 or int8, by oneDNN or, where that has none for AVX2, by our
-/// Winograd; what lies between them is done by tensor_kernels.
+/// steps. Convolutions run in fp32 or int8, by oneDNN or, where that is faster, by our
+/// Winograd kernels; what lies between them is done by tensor_kernels.
 class NetworkBuilder {
  public:
   /// `block` of all tensors; 0: channels last. `threads`: of inference.

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <oneapi/dnnl/dnnl.hpp>
 #include <optional>
 #include <unordered_map>
 
 #include "core/error.hpp"
 #include "segmentation/network/kernels/dnnl_kernels.hpp"
+#include "segmentation/network/kernels/quantised_weights.hpp"
 
 namespace stdc {
 namespace {
@@ -31,31 +30,6 @@ DnnlRequest describe(const ConvolutionWeights& layer, const TensorView& source, 
   request.padding_after = {options.padding_after, options.padding_after};
   request.relu = options.relu;
   return request;
-}
-
-/// Weights as 8-bit numbers, and for each output the real number that one of them stands for.
-struct QuantisedWeights {
-  std::vector<std::int8_t> levels;
-  std::vector<float> scales;
-};
-
-QuantisedWeights quantise(const ConvolutionWeights& layer, int levels) {
-  QuantisedWeights result;
-  const std::size_t count = layer.weights_per_output();
-  result.levels.resize(layer.weights.size());
-  for (std::size_t o = 0; o < layer.bias.size(); ++o) {
-    const float* weights = &layer.weights[o * count];
-    float max_weight = 0;
-    for (std::size_t i = 0; i < count; ++i) max_weight = std::max(max_weight, std::abs(weights[i]));
-    const float scale = max_weight > 0 ? max_weight / static_cast<float>(levels) : 1;
-    result.scales.push_back(scale);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto level =
-          std::clamp(std::lround(weights[i] / scale), -static_cast<long>(levels), static_cast<long>(levels));
-      result.levels[o * count + i] = static_cast<std::int8_t>(level);
-    }
-  }
-  return result;
 }
 
 }  // namespace
