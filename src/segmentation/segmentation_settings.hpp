@@ -41,6 +41,10 @@ struct SegmentationSettings {
                "Wait for each frame's own mask, or propagate the newest one to the frame");
   STDC_SETTING(int, latency, 3, "frames", 1, 30,
                "Asynchronous: a frame's mask is used this many frames later");
+  STDC_SETTING(double, idle_after, 0.5, "s", 0, 3600,
+               "Every-frame, network: it rests while nobody has been seen for this long");
+  STDC_SETTING(double, idle_interval, 0.1, "s", 0, 1,
+               "Resting, it looks at a frame at least this often; 0: it never rests");
   STDC_SETTING(bool, propagation, true, "Move a mask of an earlier frame along with the objects it covers");
   STDC_SETTING(bool, border_trimming, false,
                "Before refinement, remove background pixels at the mask's border by depth");

@@ -25,7 +25,8 @@ void SemanticThread::begin(const RgbdImage& image, const cv::Mat& grey, int fram
   frame_ = frame;
   result_ = {};
   if (settings_.pace == SegmentationPace::every_frame) {
-    segment(image, frame);
+    if (!may_rest(image.timestamp)) segment(image, frame);
+    last_time_ = image.timestamp;
     carrying_.start([this, frame_from_last] { move_mask(frame_from_last); });
     return;
   }
@@ -42,7 +43,7 @@ void SemanticThread::begin(const RgbdImage& image, const cv::Mat& grey, int fram
 DynamicMask SemanticThread::finish() {
   carrying_.wait();
   if (settings_.pace == SegmentationPace::every_frame) {
-    collect();
+    if (in_flight_) collect();
     complete_mask();
   }
   image_ = {};
@@ -50,14 +51,24 @@ DynamicMask SemanticThread::finish() {
   return std::move(result_);
 }
 
+/// True if nobody has been seen for a while and the next image comes early enough to find a newcomer in time.
+bool SemanticThread::may_rest(double timestamp) const {
+  if (settings_.source != SegmentationSource::network || settings_.idle_interval <= 0) return false;
+  if (!empty_since_ || !last_time_ || timestamp - *empty_since_ < settings_.idle_after) return false;
+  constexpr double kRounding = 1e-3;  // of times that are written as multiples of a period
+  const double next = timestamp + (timestamp - *last_time_);
+  return next <= segmented_time_ + settings_.idle_interval + kRounding;
+}
+
 void SemanticThread::segment(const RgbdImage& image, int frame) {
   in_flight_ = frame;
+  segmented_time_ = image.timestamp;
   // The caller may reuse its buffer while the segmentation still runs.
   const bool outlives_frame = settings_.pace == SegmentationPace::asynchronous;
   SegmenterInput input{outlives_frame ? image.colour.clone() : image.colour, image.timestamp, frame};
   segmenting_.start([this, input = std::move(input)] {
     Stopwatch watch;
-    segmented_ = {input.frame, {}, 0};
+    segmented_ = {input.frame, input.timestamp, {}, 0};
     segmented_.mask = segmenter_->segment(input);
     segmented_.milliseconds = watch.lap_ms();
   });
@@ -73,6 +84,11 @@ void SemanticThread::collect() {
   if (segmented_.mask.empty()) return;
   result_.report.segmentation_ms = segmented_.milliseconds;
   mask_ = segmented_.mask;
+  if (cv::countNonZero(mask_) > 0) {
+    empty_since_.reset();
+  } else if (!empty_since_) {
+    empty_since_ = segmented_.timestamp;
+  }
   mask_frame_ = segmented_.frame - segmenter_->delay();
   mask_is_new_ = true;
 }

@@ -24,9 +24,11 @@ struct DynamicMask {
 /// Segments frames beside the tracker, carries masks to later frames and completes them by depth (Alg. 1).
 ///
 /// In the pace `every-frame` each frame waits for its own mask; a frame that got none is given the one of the
-/// frame before, carried over. In the pace `asynchronous` the segmentation of frame k is collected at frame
-/// k + latency, and the next one starts there, with the newest frame; in between the mask is carried. Which
-/// mask a frame gets depends on frame counts only, never on clocks.
+/// frame before, carried over. While nobody has been seen for `idle_after` seconds, the network looks only at
+/// as many frames as it must so that a newcomer is masked within `idle_interval` seconds. In the pace
+/// `asynchronous` the segmentation of frame k is collected at frame k + latency, and the next one starts
+/// there, with the newest frame; in between the mask is carried. Which mask a frame gets depends on frame
+/// counts and the images' times only, never on clocks.
 class SemanticThread {
  public:
   SemanticThread(const Camera& camera, const SegmentationSettings& settings,
@@ -44,12 +46,14 @@ class SemanticThread {
  private:
   struct Segmented {
     int frame = 0;
+    double timestamp = 0;
     cv::Mat mask;  ///< as segmented; empty: there is none
     double milliseconds = 0;
   };
 
   void segment(const RgbdImage& image, int frame);
   void collect();
+  bool may_rest(double timestamp) const;
   void move_mask(const std::optional<Pose>& frame_from_last);
   void complete_mask();
   cv::Mat moved_mask() const;
@@ -64,7 +68,9 @@ class SemanticThread {
   cv::Mat mask_;                  ///< the last mask collected, unmoved
   int mask_frame_ = -1;           ///< the frame it belongs to; -1: none yet
   bool mask_is_new_ = false;      ///< the propagator does not know it yet
-  RgbdImage image_;               ///< of the present frame
+  double segmented_time_ = 0;     ///< of the last image that was segmented [s]
+  std::optional<double> last_time_, empty_since_;  ///< of the last image; since when nobody has been seen [s]
+  RgbdImage image_;                                ///< of the present frame
   cv::Mat grey_;
   int frame_ = 0;
   DynamicMask result_;

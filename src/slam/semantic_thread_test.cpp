@@ -176,5 +176,49 @@ TEST(SemanticThread, ADepthImageMayBeMissing) {
   }
 }
 
+/// In which of the frames the segmenter looked, for a person who comes at frame `first`.
+std::vector<int> frames_segmented(const SegmentationSettings& settings, int frames, int first,
+                                  std::vector<DynamicMask>* masks = nullptr) {
+  std::vector<int> seen;
+  const auto found = run(settings, frames, [&](int frame, cv::Mat mask) {
+    seen.push_back(frame);
+    if (frame < first) mask = 0;
+    return mask;
+  });
+  if (masks != nullptr) *masks = found;
+  return seen;
+}
+
+TEST(SemanticThread, RestsWhileNobodyIsSeen) {
+  SegmentationSettings settings;
+  settings.idle_after = 0.5, settings.refinement = false;
+  std::vector<DynamicMask> masks;
+  const std::vector<int> seen = frames_segmented(settings, 30, 20, &masks);
+  // All of the first half second, one in three, and all from the one in which the person is found.
+  std::vector<int> expected;
+  for (int frame = 0; frame < 15; ++frame) expected.push_back(frame);
+  for (const int frame : {17, 20}) expected.push_back(frame);
+  for (int frame = 21; frame < 30; ++frame) expected.push_back(frame);
+  EXPECT_EQ(seen, expected);
+  EXPECT_EQ(masks[16].report.mask_age, 2);
+  EXPECT_EQ(cv::countNonZero(masks[16].mask), 0);
+  EXPECT_EQ(masks[20].report.mask_age, 0);
+  // A newcomer waits for at most as long as it is set.
+  const std::vector<int> late = frames_segmented(settings, 30, 18, &masks);
+  EXPECT_GT(cv::countNonZero(masks[20].mask), 0);
+  settings.idle_interval = 0;
+  EXPECT_EQ(frames_segmented(settings, 30, 20).size(), 30U);
+}
+
+TEST(SemanticThread, DoesNotRestWithMasksFromFilesOrSlowCameras) {
+  SegmentationSettings settings;
+  settings.idle_after = 0.5;
+  settings.source = SegmentationSource::masks;
+  EXPECT_EQ(frames_segmented(settings, 30, 30).size(), 30U);
+  settings.source = SegmentationSource::network;
+  settings.idle_interval = 0.05;  // the frame after the next would be too late
+  EXPECT_EQ(frames_segmented(settings, 30, 30).size(), 30U);
+}
+
 }  // namespace
 }  // namespace stdc
