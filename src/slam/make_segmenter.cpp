@@ -19,7 +19,8 @@ std::unique_ptr<Segmenter> make_source(const Settings& settings, const Segmenter
     case SegmentationSource::masks:
       return std::make_unique<MaskFileSegmenter>(files.masks);
     case SegmentationSource::network:
-      return upright(make_weights_segmenter(files.weights, settings.network), rotation);
+      return upright(make_weights_segmenter(files.weights, settings.network, files.dynamic_classes),
+                     rotation);
     case SegmentationSource::off:
       break;
   }

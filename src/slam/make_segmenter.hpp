@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "segmentation/segmenter.hpp"
 #include "slam/settings.hpp"
@@ -12,6 +14,7 @@ namespace stdc {
 struct SegmenterFiles {
   std::filesystem::path weights;  ///< of the network, .safetensors or .onnx; empty: those that ship
   std::filesystem::path masks;    ///< folder of mask images
+  std::vector<std::string> dynamic_classes;  ///< of the network, by name; empty: as the weights say
 };
 
 /// The segmenter that the settings ask for; null if segmentation is off. Throws Error if weights or masks are

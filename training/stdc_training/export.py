@@ -26,7 +26,8 @@ def from_checkpoint(path):
     """(network with the averaged weights, checkpoint) of a file written by stdc_training.train."""
     state = torch.load(path, map_location="cpu")
     options = state["options"]
-    network = StdcSeg(options["architecture"], divisor=options["divisor"], head=options["head"],
+    network = StdcSeg(options["architecture"], classes=len(state["average"]["head.classify.bias"]),
+                      divisor=options["divisor"], head=options["head"],
                       training_heads=False)
     kept = {name: tensor for name, tensor in state["average"].items()
             if not name.startswith(TRAINING_ONLY)}
@@ -42,6 +43,11 @@ def calibration_batches(folder, size, batch=8):
         yield weights.normalised(torch.stack(pixels))
 
 
+def names(text):
+    """"person,animal" as a tuple."""
+    return tuple(name.strip() for name in text.split(",") if name.strip())
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("checkpoint")
@@ -49,6 +55,10 @@ def main():
     parser.add_argument("output")
     parser.add_argument("--size", type=int, nargs=2, default=(256, 192), metavar=("W", "H"),
                         help="default size of inference, multiples of 32")
+    parser.add_argument("--classes", type=names, default=weights.CLASSES, metavar="NAME,...",
+                        help="of the labels 0, 1, ...; default: background,person")
+    parser.add_argument("--dynamic", type=names, metavar="NAME,...",
+                        help="those that move by themselves; default: all but the first")
     parser.add_argument("--scores", default="", help="text about scores for the metadata")
     parser.add_argument("--float32", action="store_true", help="keep all weights in 32 bit")
     options = parser.parse_args()
@@ -63,7 +73,8 @@ def main():
     used = state["options"]
     trained = (f"{state['images']} images seen, last at {used['width']}x{used['height']}, "
                f"divisor of the channels {used['divisor']}")
-    entries = weights.metadata(network, options.size, LICENCE, ranges, version="1",
+    entries = weights.metadata(network, options.size, LICENCE, ranges, options.classes,
+                               options.dynamic, version="1",
                                trained=trained, scores=options.scores)
     weights.save(options.output, network, entries, half=not options.float32)
     count = sum(t.size for t in safetensors.read(options.output)[0].values())

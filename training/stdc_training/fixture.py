@@ -1,7 +1,8 @@
 """Small networks with random weights and their outputs, for the tests of the C++ reader.
 
 python3 -m stdc_training.fixture FOLDER writes tiny.safetensors (STDC1-Seg, an eighth of the
-channels), tiny2.safetensors (STDC2-Seg) and, for each, NAME_reference.safetensors with the
+channels), tiny2.safetensors (STDC2-Seg), tiny4.safetensors (STDC1-Seg that tells four
+classes apart) and, for each, NAME_reference.safetensors with the
 normalised image "input" [3, h, w] and PyTorch's "logits" [classes, h/8, w/8] in 32-bit floats.
 """
 
@@ -18,10 +19,13 @@ DIVISOR = 8
 HEIGHT, WIDTH = 64, 96
 
 
-def random_network(architecture, seed):
+CLASSES = ("background", "person", "animal", "vehicle")
+
+
+def random_network(architecture, seed, classes):
     """A network whose batch normalisations do something and whose features stay near 1."""
     torch.manual_seed(seed)
-    network = StdcSeg(architecture, divisor=DIVISOR, head=8, training_heads=False)
+    network = StdcSeg(architecture, classes, divisor=DIVISOR, head=8, training_heads=False)
     for module in network.modules():
         if isinstance(module, nn.BatchNorm2d):
             nn.init.uniform_(module.weight, 0.5, 1.5)
@@ -45,15 +49,17 @@ def smooth_image(seed):
     return (image * 50 + 120).clamp(0, 255).byte().permute(0, 2, 3, 1)
 
 
-def write_fixture(folder, name, architecture, seed):
-    network = random_network(architecture, seed)
+def write_fixture(folder, name, architecture, seed, classes=2):
+    network = random_network(architecture, seed, classes)
     images = weights.normalised(smooth_image(seed))
     with torch.no_grad():
-        first = network(images)  # then shifted, so that half the picture is of each class
-        network.head.classify.bias[1] -= (first[:, 1] - first[:, 0]).median()
+        first = network(images)  # then shifted, so that much of the picture is of each class
+        for k in range(1, classes):
+            network.head.classify.bias[k] -= (first[:, k] - first[:, 0]).median()
         logits = network(images)
     ranges = calibrate.activation_ranges(network, [images])
-    entries = weights.metadata(network, (WIDTH, HEIGHT), "Apache-2.0 (random numbers)", ranges)
+    entries = weights.metadata(network, (WIDTH, HEIGHT), "Apache-2.0 (random numbers)", ranges,
+                               CLASSES[:classes])
     weights.save(os.path.join(folder, f"{name}.safetensors"), network, entries)
     safetensors.write(
         os.path.join(folder, f"{name}_reference.safetensors"),
@@ -68,6 +74,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     write_fixture(folder, "tiny", "STDC1-Seg", 1)
     write_fixture(folder, "tiny2", "STDC2-Seg", 2)
+    write_fixture(folder, "tiny4", "STDC1-Seg", 3, classes=4)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 
 Packed data are one flat uint8 file per set that is memory-mapped, so that a training step
 neither decodes nor copies more than it uses. Each image is [h, w, 4]: RGB and the label
-(0 background, 1 person, 255 ignore); person-free frames have label 0.
+(0 background, 1 person, or more classes in the order of `export --classes`; 255 ignore);
+person-free frames have label 0.
 """
 
 import json

@@ -14,6 +14,9 @@ import numpy as np
 
 _NAMES = {np.dtype("float32"): "F32", np.dtype("float16"): "F16", np.dtype("int8"): "I8",
           np.dtype("uint8"): "U8", np.dtype("int64"): "I64"}
+# What a file of this format holds in "format"; it must have its checksum. Else a damaged name of the
+# checksum's entry would be taken for a file of another program.
+CHECKED_FORMAT = "stdc-weights-2"
 _TYPES = {name: dtype for dtype, name in _NAMES.items()}
 
 
@@ -61,6 +64,8 @@ def read(path):
     header = json.loads(data[8:8 + length])
     metadata = header.pop("__metadata__", {})
     written = metadata.pop("crc32", None)
+    if written is None and metadata.get("format") == CHECKED_FORMAT:
+        raise ValueError(f"{path}: the file is damaged (it has lost its checksum)")
     if written is not None:
         zeros = data[8:8 + length].replace(b'"crc32":"%s"' % written.encode(), b'"crc32":"00000000"', 1)
         if with_checksum(zeros, [data[8 + length:]]) != data[8:8 + length]:

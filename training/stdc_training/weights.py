@@ -9,19 +9,25 @@ from . import safetensors
 from .network import StdcSeg, inference_state
 from .widen import widen
 
-FORMAT = "stdc-weights-1"
+FORMAT = safetensors.CHECKED_FORMAT
+FORMATS = ("stdc-weights-1", FORMAT)  # the first may lack its checksum
 CLASSES = ("background", "person")
 MEAN = (0.485, 0.456, 0.406)
 STD = (0.229, 0.224, 0.225)
 
 
-def metadata(network, size, licence, ranges=None, **notes):
-    """The file's metadata. size: (width, height) of the default input; ranges: see calibrate."""
+def metadata(network, size, licence, ranges=None, classes=CLASSES, dynamic=None, **notes):
+    """The file's metadata. size: (width, height) of the default input; ranges: see calibrate;
+    classes: names in the order of the channels; dynamic: those that move, all but the first."""
+    dynamic = classes[1:] if dynamic is None else dynamic
+    if len(classes) != network.head.classify.out_channels or not set(dynamic) <= set(classes):
+        raise ValueError(f"classes {classes}, dynamic {dynamic}: the network tells "
+                         f"{network.head.classify.out_channels} classes apart")
     entries = {
         "format": FORMAT,
         "architecture": network.architecture,
-        "classes": json.dumps(CLASSES),
-        "dynamic_classes": json.dumps(CLASSES[1:]),
+        "classes": json.dumps(classes),
+        "dynamic_classes": json.dumps(dynamic),
         "input_width": str(size[0]),
         "input_height": str(size[1]),
         "mean": json.dumps(MEAN),
@@ -46,7 +52,7 @@ def save(path, network, entries, half=True):
 def load(path):
     """Return (network in evaluation mode, metadata) of a weights file."""
     tensors, entries = safetensors.read(path)
-    if entries.get("format") != FORMAT:
+    if entries.get("format") not in FORMATS:
         raise ValueError(f"{path}: format {entries.get('format')!r} instead of {FORMAT!r}")
     network = StdcSeg(
         entries["architecture"],

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stdc_training import safetensors
+from stdc_training import safetensors, seal
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 # What the program's own tests read.
@@ -52,12 +52,13 @@ class SafetensorsTest(unittest.TestCase):
             self.assertEqual(Path(self.path).read_bytes(), path.read_bytes(), path.name)
 
     def test_every_flipped_bit_is_noticed(self):
-        safetensors.write(self.path, {"t": np.float32([1.5, -2])}, {"key": "value"})
+        safetensors.write(self.path, {"t": np.float32([1.5, -2])},
+                          {"key": "value", "format": safetensors.CHECKED_FORMAT})
         good = Path(self.path).read_bytes()
-        key = good.index(b"crc32")
+        form = good.index(b'"format"')
         for at in range(len(good)):
-            if key <= at < key + 5:
-                continue  # without its name there is no checksum, but the rest is whole
+            if form <= at < form + len(b'"format":"stdc-weights-2"'):
+                continue  # weights.load refuses what is of no format that it knows
             for bit in range(8):
                 bad = bytearray(good)
                 bad[at] ^= 1 << bit
@@ -72,6 +73,15 @@ class SafetensorsTest(unittest.TestCase):
         Path(self.path).write_bytes(bad)
         with self.assertRaisesRegex(ValueError, "checksum"):
             safetensors.read(self.path)
+
+    def test_an_older_file_is_sealed(self):
+        safetensors.write(self.path, {"t": np.float32([1.5, -2])}, {"format": "stdc-weights-1"})
+        old = Path(self.path).read_bytes()
+        seal.seal(self.path, [("scores", "none")])
+        tensors, metadata = safetensors.read(self.path)
+        self.assertEqual(metadata, {"format": "stdc-weights-2", "scores": "none"})
+        self.assertEqual(Path(self.path).read_bytes()[-8:], old[-8:])
+        np.testing.assert_array_equal(tensors["t"], np.float32([1.5, -2]))
 
 
 if __name__ == "__main__":

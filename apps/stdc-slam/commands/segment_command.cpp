@@ -7,15 +7,16 @@
 #include <opencv2/core/utility.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/commands.hpp"
+#include "commands/image_segmentation.hpp"
 #include "commands/segment_images.hpp"
+#include "commands/segmentation_options.hpp"
 #include "commands/truth_masks.hpp"
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
-#include "core/stopwatch.hpp"
 #include "input/camera_file.hpp"
-#include "report/mask_overlay.hpp"
 #include "report/segment_report.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/output_folder.hpp"
@@ -29,8 +30,10 @@ namespace {
 struct Options {
   std::string input, output, frames, size, truth_kind = "masks";
   std::optional<std::string> weights, truth, camera;
+  std::vector<std::string> dynamic_classes;
   int threads = 1;
   bool int8 = false, fp32 = false, no_overlays = false, quiet = false;
+  SegmentationRequest wanted;
 };
 
 /// "512x384" as a size.
@@ -71,6 +74,8 @@ void check_onnx_options(const Options& options) {
   refuse(options.int8, "--int8");
   refuse(options.fp32, "--fp32");
   refuse(options.threads != 1, "--threads");
+  refuse(options.wanted.classes, "--classes");
+  refuse(options.wanted.probability, "--probabilities");
 }
 
 TruthKind truth_kind(const Options& options) {
@@ -86,48 +91,6 @@ std::optional<Camera> camera_of(const Options& options, const std::vector<Segmen
   std::error_code fault;
   if (!images.front().timestamp) return std::nullopt;
   return std::filesystem::exists(own, fault) ? read_camera(own) : Camera();
-}
-
-/// Which way up an image is: as the camera is mounted, else as a photo's EXIF data say.
-Orientation orientation_of(const StoredImage& stored, const SegmentImage& image, const Options& options,
-                           const std::optional<Camera>& camera) {
-  if (!camera) return stored.orientation;
-  if (options.camera && stored.colour.size() != cv::Size(camera->width, camera->height)) {
-    throw Error(image.path.string(),
-                fmt::format("is {} x {} pixels, but the camera has {} x {}", stored.colour.cols,
-                            stored.colour.rows, camera->width, camera->height),
-                "give the --camera that took these images");
-  }
-  return orientation_of_rotation(camera->rotation);
-}
-
-/// Segments one image, writes the results and tells about it.
-SegmentedImage segment_image(const Options& options, const std::optional<Camera>& camera,
-                             const SegmentImage& image, int frame, Segmenter& segmenter,
-                             std::optional<TruthMasks>& truths, OutputFolder& output) {
-  const StoredImage stored = load_segment_image(image.path);
-  const Orientation orientation = orientation_of(stored, image, options, camera);
-  const cv::Mat upright = to_upright(stored.colour, orientation);
-  SegmentedImage result;
-  result.name = image.name;
-  Stopwatch watch;
-  const double cpu_before = thread_cpu_ms();
-  const cv::Mat upright_mask = segmenter.segment({upright, image.timestamp.value_or(0), frame});
-  result.cpu_ms = thread_cpu_ms() - cpu_before;
-  result.wall_ms = watch.lap_ms();
-  const cv::Mat mask = from_upright(upright_mask, orientation);
-  result.dynamic_share = cv::countNonZero(mask) / static_cast<double>(mask.total());
-  output.write(image.name + ".png", encode_png(mask, PngEffort::fast));
-  if (!options.no_overlays) {
-    // As a viewer shows the image: only EXIF data turn it there.
-    const cv::Mat overlay = camera ? draw_overlay(stored.colour, mask) : draw_overlay(upright, upright_mask);
-    output.write(image.name + "-overlay.jpg", encode_jpeg(overlay));
-  }
-  if (truths) {
-    const auto truth = truths->load(image, mask.size(), orientation);
-    if (truth) result.counts = count_mask(mask, truth->mask, truth->ignore);
-  }
-  return result;
 }
 
 /// Which mask belongs to which time, as `run --masks` reads it; empty for images that have no time.
@@ -162,8 +125,11 @@ void segment(const Options& options) {
   if (options.truth) truths.emplace(*options.truth, truth_kind(options));
   check_onnx_options(options);
   const std::optional<Camera> camera = camera_of(options, images);
-  const auto segmenter = make_weights_segmenter(options.weights.value_or(""), network_settings(options));
+  const auto segmenter = make_weights_segmenter(options.weights.value_or(""), network_settings(options),
+                                                options.dynamic_classes);
   OutputFolder output(options.output);
+  ImageSegmentation segmentation(*segmenter, options.wanted, camera, options.camera.has_value(),
+                                 !options.no_overlays, output);
   std::vector<SegmentedImage> results;
   Progress progress("segmenting", "images", static_cast<int>(images.size()), options.quiet);
   for (const SegmentImage& image : images) {
@@ -174,28 +140,32 @@ void segment(const Options& options) {
           "start again, perhaps with fewer --frames");
     }
     const auto number = static_cast<int>(results.size());
-    results.push_back(segment_image(options, camera, image, number, *segmenter, truths, output));
+    results.push_back(segmentation.segment(image, number, truths));
     progress.update(static_cast<int>(results.size()));
   }
   progress.finish();
   check_scores(options, results);
-  output.write("segments.csv", segments_csv(results));
+  output.write("segments.csv", segments_csv(results, segmentation.shared_classes()));
   if (const std::string masks = mask_list(images); !masks.empty()) output.write("mask.txt", masks);
   output.commit();
   if (options.quiet) return;
   if (const auto* network = dynamic_cast<const NetworkSegmenter*>(segmenter.get())) {
     fmt::print("network     {}\n", network->description());
   }
-  fmt::print("{}results: {}\n", segment_summary(results), options.output);
+  fmt::print("{}results: {}\n", segment_summary(results, segmentation.shared_classes()), options.output);
 }
 
 constexpr const char* kFooter = R"(
 INPUT is an image, a folder of images (PNG, JPEG), or a sequence in TUM RGB-D layout. Written to the output
 folder, all at the end or nothing:
   NAME.png          mask of the image NAME.*: 255 = dynamic, else 0; `run --masks` takes the folder as it is
-  NAME-overlay.jpg  the image with the mask drawn over it
+  NAME-overlay.jpg  the image with the mask drawn over it, each dynamic class in a colour of its own
+  NAME-classes.png  with --classes: the number of each pixel's class, in the order of the weights file
+  NAME-probability.png  with --probabilities: how likely each pixel is dynamic, 0 to 65535 (16 bits); calibrated
+                    if the weights say how
   mask.txt          of a sequence: the time of each mask
-  segments.csv      share of dynamic pixels, milliseconds and scores of every image
+  segments.csv      share of dynamic pixels, milliseconds and scores of every image; the share of each class
+                    if several are dynamic
 
 Photos are segmented upright, as their EXIF orientation says (JPEG, and eXIf of PNG). NAME.png lies on the
 pixels as they are stored in the file, NAME-overlay.jpg is upright, as viewers show the photo; true masks may have
@@ -210,6 +180,7 @@ Examples:
   stdc-slam segment rgbd_dataset_freiburg3_walking_xyz --output masks --frames 0:300 --int8
   stdc-slam segment my-walk --output masks --score my-walk/mask
   stdc-slam segment frames --output masks --camera on-its-side.yaml
+  stdc-slam segment photos --output masks --weights many.safetensors --dynamic person,animal --classes
   stdc-slam segment people/image --output masks --score people/label --truth labels --weights my.safetensors)";
 
 }  // namespace
@@ -241,6 +212,10 @@ void add_segment_command(Command program) {
       .type_name("masks|labels")
       .capture_default_str()
       .needs(score);
+  add_dynamic_option(command, options->dynamic_classes);
+  command.add_flag("--classes", options->wanted.classes, "Write the class of each pixel, too");
+  command.add_flag("--probabilities", options->wanted.probability,
+                   "Write how likely each pixel is dynamic, too");
   command.add_flag("--no-overlays", options->no_overlays, "Write masks only");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command.footer(kFooter);

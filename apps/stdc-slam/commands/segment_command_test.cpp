@@ -36,10 +36,9 @@ struct Outcome {
 
 class SegmentCommand : public ::testing::Test {
  protected:
-  Outcome call(const std::string& arguments) const {
-    const std::string command =
-        fmt::format("cd {} && {} segment {} --weights {} > .out 2> .err", folder_.path().string(),
-                    STDC_PROGRAM, arguments, STDC_TEST_WEIGHTS);
+  Outcome call(const std::string& arguments, const std::string& weights = STDC_TEST_WEIGHTS) const {
+    const std::string command = fmt::format("cd {} && {} segment {} --weights {} > .out 2> .err",
+                                            folder_.path().string(), STDC_PROGRAM, arguments, weights);
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"),
             content(folder_ / ".err")};
@@ -165,6 +164,44 @@ TEST_F(SegmentCommand, ScoresMasksOfAnotherSize) {
                  "wide/a.png: is a mask of 90 x 40 pixels, of another shape than its image");
 }
 
+TEST_F(SegmentCommand, TellsSeveralClassesApart) {
+  make_images();
+  const std::string weights = STDC_TEST_FOUR_CLASSES;
+  const Outcome all = call("in --output o --size 96x64 --classes", weights);
+  ASSERT_EQ(all.code, 0) << all.err;
+  const cv::Mat classes = mask("o/1-classes.png"), found = mask("o/1.png");
+  EXPECT_EQ(cv::countNonZero((classes != 0) != (found != 0)), 0);
+  const std::string table = content(folder_ / "o/segments.csv");
+  EXPECT_TRUE(contains(table, "boundary_f,share_person,share_animal,share_vehicle\n")) << table;
+  EXPECT_TRUE(contains(all.out, "  animal    ")) << all.out;
+
+  const Outcome one = call("in --output animals --size 96x64 --dynamic animal,person", weights);
+  ASSERT_EQ(one.code, 0) << one.err;
+  const cv::Mat both = mask("animals/1.png");
+  EXPECT_EQ(cv::countNonZero(((classes == 1) | (classes == 2)) != (both != 0)), 0);
+  EXPECT_TRUE(contains(content(folder_ / "animals/segments.csv"), ",share_person,share_animal\n"));
+  EXPECT_FALSE(fs::exists(folder_ / "animals/1-classes.png"));
+  const Outcome unknown = call("in --output none --size 96x64 --dynamic cat", weights);
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(contains(unknown.err, "knows no class 'cat'; choose from background, person, animal, vehicle"))
+      << unknown.err;
+}
+
+TEST_F(SegmentCommand, WritesProbabilities) {
+  make_images();
+  ASSERT_EQ(call("in/1.jpg --output o --size 96x64 --probabilities").code, 0);
+  const std::string bytes = content(folder_ / "o/1-probability.png");
+  const DecodedImage decoded =
+      decode_depth({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, {120, 160});
+  const cv::Mat& probability = decoded.image;
+  ASSERT_EQ(probability.type(), CV_16UC1) << decoded.problem;
+  const cv::Mat likely = probability > 32768 + 50, unlikely = probability < 32768 - 50,
+                found = mask("o/1.png");
+  EXPECT_GT(cv::countNonZero(likely), 0);
+  EXPECT_EQ(cv::countNonZero(likely & ~found), 0);
+  EXPECT_EQ(cv::countNonZero(unlikely & found), 0);
+}
+
 TEST_F(SegmentCommand, RunTakesTheMasksOfASequence) {
   stdc::test::write_test_sequence(folder_, "s", 6);
   ASSERT_EQ(call("s --output o --size 96x64").code, 0);
@@ -193,7 +230,7 @@ TEST_F(SegmentCommand, RefusesBadInput) {
 
 TEST(SegmentReport, HasQuantilesAndScores) {
   std::vector<SegmentedImage> images;
-  for (int i = 1; i <= 101; ++i) images.push_back({fmt::format("{}", i), 0.25, i * 1.0, i * 0.5, {}});
+  for (int i = 1; i <= 101; ++i) images.push_back({fmt::format("{}", i), 0.25, i * 1.0, i * 0.5, {}, {}});
   const std::string plain = segment_summary(images);
   EXPECT_TRUE(contains(plain, "51.0 ms median, 96.0 ms p95 (25.5 ms CPU median, min 0.5 ms)")) << plain;
   EXPECT_TRUE(contains(plain, "dynamic     25.00 % of the pixels\n")) << plain;

@@ -6,6 +6,15 @@
 
 namespace stdc::app {
 
+void add_dynamic_option(Command command, std::vector<std::string>& classes) {
+  command
+      .add_option(
+          "--dynamic", classes,
+          "Classes of the network that count as dynamic, such as person,animal; default: as the weights say")
+      .delimiter(',')
+      .type_name("CLASS,...");
+}
+
 void add_segmentation_options(Command command, SegmentationOptions& options) {
   command
       .add_option("--segmentation", options.source,
@@ -16,6 +25,7 @@ void add_segmentation_options(Command command, SegmentationOptions& options) {
       "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
       "in the sequence");
   command.add_option("--weights", options.weights, "Weights of the network; default: those that ship");
+  add_dynamic_option(command, options.dynamic_classes);
   command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
       .type_name("on|off");
 }
@@ -24,7 +34,7 @@ void apply_segmentation_options(const SegmentationOptions& options, Settings& se
   std::string source = options.source;
   // Whoever names masks or weights wants them used.
   if (source.empty() && options.masks) source = "masks";
-  if (source.empty() && options.weights) source = "network";
+  if (source.empty() && (options.weights || !options.dynamic_classes.empty())) source = "network";
   if (!source.empty()) apply_setting("segmentation.source=" + source, settings);
   if (!options.refinement.empty()) apply_setting("segmentation.refinement=" + options.refinement, settings);
 }
@@ -37,6 +47,10 @@ void check_segmentation_options(const SegmentationOptions& options, const Settin
   }
   if (options.weights && source != SegmentationSource::network) {
     throw Error("--weights", "is of no use without the network",
+                "add --segmentation network or leave it out");
+  }
+  if (!options.dynamic_classes.empty() && source != SegmentationSource::network) {
+    throw Error("--dynamic", "is of no use without the network",
                 "add --segmentation network or leave it out");
   }
   if (!options.refinement.empty() && source == SegmentationSource::off) {
@@ -55,7 +69,9 @@ std::filesystem::path mask_folder(const SegmentationOptions& options, const std:
 
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
                                             const std::filesystem::path& sequence, int rotation) {
-  return make_segmenter(settings, {options.weights.value_or(""), mask_folder(options, sequence)}, rotation);
+  return make_segmenter(
+      settings, {options.weights.value_or(""), mask_folder(options, sequence), options.dynamic_classes},
+      rotation);
 }
 
 }  // namespace stdc::app

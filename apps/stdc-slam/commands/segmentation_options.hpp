@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/command.hpp"
 #include "core/image_codec.hpp"
@@ -17,9 +18,12 @@ struct SegmentationOptions {
   std::string source;                         ///< --segmentation off|network|masks; empty: as in the settings
   std::string refinement;                     ///< --refinement on|off; empty: as in the settings
   std::optional<std::string> masks, weights;  ///< --masks FOLDER, --weights FILE
+  std::vector<std::string> dynamic_classes;   ///< --dynamic CLASS,...
 };
 
-/// Adds --segmentation, --refinement, --masks and --weights to a command.
+/// Adds --dynamic.
+void add_dynamic_option(Command command, std::vector<std::string>& classes);
+/// Adds --segmentation, --refinement, --masks, --weights and --dynamic to a command.
 void add_segmentation_options(Command command, SegmentationOptions& options);
 /// Changes the settings as the options say. Throws Error.
 void apply_segmentation_options(const SegmentationOptions& options, Settings& settings);

@@ -30,18 +30,23 @@ std::string score_line(const char* title, const MaskScores& scores) {
 
 }  // namespace
 
-std::string segments_csv(const std::vector<SegmentedImage>& images) {
-  std::string text = "image,dynamic_share,wall_ms,cpu_ms,iou,precision,recall,boundary_f\n";
+std::string segments_csv(const std::vector<SegmentedImage>& images, const std::vector<std::string>& classes) {
+  std::string text = "image,dynamic_share,wall_ms,cpu_ms,iou,precision,recall,boundary_f";
+  for (const std::string& name : classes) text += ",share_" + name;
+  text += '\n';
   for (const SegmentedImage& image : images) {
     const MaskScores scores = image.counts ? score_mask(*image.counts) : MaskScores{};
-    text += fmt::format("{},{:.6f},{:.3f},{:.3f},{},{},{},{}\n", image.name, image.dynamic_share,
-                        image.wall_ms, image.cpu_ms, cell(scores.iou), cell(scores.precision),
-                        cell(scores.recall), cell(scores.boundary_f));
+    text += fmt::format("{},{:.6f},{:.3f},{:.3f},{},{},{},{}", image.name, image.dynamic_share, image.wall_ms,
+                        image.cpu_ms, cell(scores.iou), cell(scores.precision), cell(scores.recall),
+                        cell(scores.boundary_f));
+    for (const double share : image.class_shares) text += fmt::format(",{:.6f}", share);
+    text += '\n';
   }
   return text;
 }
 
-std::string segment_summary(const std::vector<SegmentedImage>& images) {
+std::string segment_summary(const std::vector<SegmentedImage>& images,
+                            const std::vector<std::string>& classes) {
   std::vector<double> wall, cpu;
   std::vector<MaskScores> scores;
   MaskCounts sum;
@@ -61,6 +66,12 @@ std::string segment_summary(const std::vector<SegmentedImage>& images) {
       "rate        {:.1f} images per second at the median\ndynamic     {:.2f} % of the pixels\n",
       images.size(), median, quantile(wall, kP95), quantile(cpu, 0.5), quantile(cpu, 0),
       1000 / std::max(median, 1e-6), 100 * dynamic);
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    double share = 0;
+    for (const SegmentedImage& image : images)
+      share += image.class_shares[k] / static_cast<double>(images.size());
+    text += fmt::format("  {:<10}{:.2f} %\n", classes[k], 100 * share);
+  }
   if (scores.empty()) return text;
   text += fmt::format("scored      {} images\n{:<11}{:>8}{:>12}{:>9}{:>13}\n", scores.size(), "", "IoU",
                       "precision", "recall", "boundary F");

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
+#include "segmentation/network/kernels/probability_map.hpp"
 #include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
@@ -29,7 +30,10 @@ NetworkSegmenter::NetworkSegmenter(const fs::path& weights, const NetworkSetting
 
 NetworkSegmenter::NetworkSegmenter(const NetworkWeights& weights, const NetworkSettings& settings)
     : architecture_(weights.architecture),
+      has_checksum_(weights.has_checksum),
+      classes_(weights.classes),
       dynamic_classes_(weights.dynamic_classes),
+      probability_(weights.probability),
       network_(weights, chosen_size(weights, settings), settings.precision, settings.threads) {}
 
 const cv::Mat& NetworkSegmenter::prepare(const cv::Mat& image) {
@@ -46,7 +50,10 @@ const cv::Mat& NetworkSegmenter::prepare(const cv::Mat& image) {
   return colour_;
 }
 
-cv::Mat NetworkSegmenter::segment(const SegmenterInput& input) {
+cv::Mat NetworkSegmenter::segment(const SegmenterInput& input) { return segment_pixels(input, {}).mask; }
+
+SegmentedPixels NetworkSegmenter::segment_pixels(const SegmenterInput& input,
+                                                 const SegmentationRequest& request) {
   const cv::Mat& image = input.colour;
   if (image.empty() || (image.type() != CV_8UC3 && image.type() != CV_8UC1)) {
     throw Error(fmt::format("image of frame {}", input.frame), "is not an 8-bit colour or grey image",
@@ -56,13 +63,23 @@ cv::Mat NetworkSegmenter::segment(const SegmenterInput& input) {
   if (!map_ || map_->size() != image.size()) {
     map_.emplace(cv::Size(logits.width, logits.height), image.size(), dynamic_classes_);
   }
-  return map_->draw(logits);
+  SegmentedPixels pixels{map_->draw(logits), {}, {}};
+  constexpr std::size_t kMaxNumber = 256;
+  if (request.classes && classes_.size() > kMaxNumber) {
+    throw Error("class map", fmt::format("{} classes do not fit 8 bits", classes_.size()),
+                "ask for masks only");
+  }
+  if (request.classes) pixels.classes = map_->draw_classes(logits);
+  if (request.probability)
+    pixels.probability = draw_probabilities(logits, image.size(), dynamic_classes_, probability_);
+  return pixels;
 }
 
 std::string NetworkSegmenter::description() const {
   const cv::Size size = network_.input_size();
-  return fmt::format("{}, {}, {}x{}, {}", architecture_, enum_name(network_.precision()), size.width,
-                     size.height, DnnlEngine::description());
+  return fmt::format("{}, {}, {}x{}, {}{}", architecture_, enum_name(network_.precision()), size.width,
+                     size.height, DnnlEngine::description(),
+                     has_checksum_ ? "" : "; weights without a checksum: damage would pass unnoticed");
 }
 
 fs::path find_network_weights() {

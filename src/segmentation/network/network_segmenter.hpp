@@ -12,6 +12,18 @@
 
 namespace stdc {
 
+/// What else is wanted of an image.
+struct SegmentationRequest {
+  bool classes = false, probability = false;
+};
+
+/// What there is to know about the pixels of an image, each of the image's size.
+struct SegmentedPixels {
+  cv::Mat mask;         ///< CV_8UC1, 255 = of a dynamic class, else 0
+  cv::Mat classes;      ///< CV_8UC1, number of the class; empty if not asked for
+  cv::Mat probability;  ///< CV_32FC1, 0..1 that it is of a dynamic class; empty if not asked for
+};
+
 /// Finds people and other dynamic classes with the STDC network.
 class NetworkSegmenter : public Segmenter {
  public:
@@ -22,8 +34,17 @@ class NetworkSegmenter : public Segmenter {
 
   /// The colour image may have any size; it is resized to the network's.
   cv::Mat segment(const SegmenterInput& input) override;
+  /// The same mask, and what else is asked for. Throws Error as segment() does, and for the class map of a
+  /// network of more than 256 classes.
+  SegmentedPixels segment_pixels(const SegmenterInput& input, const SegmentationRequest& request);
 
-  /// One line on what computes: architecture, precision, size, oneDNN's version and instruction set.
+  /// In the order of their numbers.
+  const std::vector<std::string>& classes() const { return classes_; }
+  /// [class]
+  const std::vector<bool>& dynamic_classes() const { return dynamic_classes_; }
+
+  /// One line on what computes: architecture, precision, size, oneDNN's version and instruction set, and
+  /// whether the weights lack a checksum.
   std::string description() const;
   StdcNetwork& network() { return network_; }
 
@@ -32,7 +53,10 @@ class NetworkSegmenter : public Segmenter {
   const cv::Mat& prepare(const cv::Mat& image);
 
   std::string architecture_;
+  bool has_checksum_;
+  std::vector<std::string> classes_;
   std::vector<bool> dynamic_classes_;
+  ProbabilityCalibration probability_;
   StdcNetwork network_;
   cv::Mat resized_, colour_;
   std::optional<ClassMap> map_;

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/test_folder.hpp"
+#include "segmentation/network/test_random_weights.hpp"
 #include "segmentation/network/thread_state_guard.hpp"
 #include "segmentation/network/weights_segmenter.hpp"
 
@@ -70,6 +71,22 @@ TEST(NetworkSegmenter, Int8AgreesWithFp32) {
   EXPECT_LT(difference(mask, quick.segment({image, 0, 0})), 0.12);
 }
 
+TEST(NetworkSegmenter, TellsClassesAndProbabilities) {
+  test::RandomWeights weights(false, {{4, 8}, {16, 16, 32}, 8, 16, 4, 8, 4});
+  NetworkWeights network = weights.read();
+  network.choose_dynamic(std::vector<std::string>{"c1", "c3"});
+  NetworkSegmenter segmenter(network, {NetworkPrecision::fp32, 1, 96, 64});
+  const cv::Mat image = blots({320, 240});
+  const SegmentedPixels pixels = segmenter.segment_pixels({image, 0, 0}, {true, true});
+  EXPECT_EQ(difference(pixels.mask, segmenter.segment({image, 0, 0})), 0);
+  EXPECT_EQ(difference(pixels.mask, (pixels.classes == 1) | (pixels.classes == 3)), 0);
+  EXPECT_EQ(pixels.probability.type(), CV_32FC1);
+  EXPECT_EQ(pixels.probability.size(), image.size());
+  EXPECT_TRUE(cv::checkRange(pixels.probability, true, nullptr, 0, 1.0001));
+  EXPECT_EQ(segmenter.classes(), (std::vector<std::string>{"c0", "c1", "c2", "c3"}));
+  EXPECT_TRUE(segmenter.segment_pixels({image, 0, 0}, {}).classes.empty());
+}
+
 TEST(NetworkSegmenter, WorksInAnyThreadAndKeepsItsState) {
   NetworkSegmenter segmenter(kWeights, {NetworkPrecision::fp32, 1, 96, 64});
   const cv::Mat image = blots({320, 240});
@@ -98,6 +115,10 @@ TEST(NetworkSegmenter, TellsWhatComputes) {
   const NetworkSegmenter segmenter(kWeights, {NetworkPrecision::int8, 1, 96, 64});
   EXPECT_EQ(segmenter.description().rfind("STDC1-Seg, int8, 96x64, oneDNN ", 0), 0U)
       << segmenter.description();
+  EXPECT_EQ(segmenter.description().find("checksum"), std::string::npos);
+  const NetworkSegmenter unchecked(test::RandomWeights(false, {{4, 8}, {16, 16, 32}, 8, 16, 4, 8, 2}).read(),
+                                   {NetworkPrecision::fp32, 1, 96, 64});
+  EXPECT_NE(unchecked.description().find("weights without a checksum"), std::string::npos);
 }
 
 TEST(ThreadStateGuard, FlushesDenormalsWhileItLives) {

@@ -25,6 +25,24 @@ bool NetworkWeights::calibrated() const {
          known(head5) && known(fusion) && known(head);
 }
 
+void NetworkWeights::choose_dynamic(std::span<const std::string> names) {
+  std::vector<bool> chosen(classes.size(), false);
+  for (const std::string& name : names) {
+    const auto found = std::find(classes.begin(), classes.end(), name);
+    if (found == classes.end()) {
+      throw Error(file, fmt::format("knows no class '{}'", name.substr(0, 80)),
+                  fmt::format("choose from {}", fmt::join(classes, ", ")));
+    }
+    chosen[static_cast<std::size_t>(found - classes.begin())] = true;
+  }
+  const auto count = std::count(chosen.begin(), chosen.end(), true);
+  if (count == 0 || count == static_cast<std::ptrdiff_t>(classes.size())) {
+    throw Error(file, fmt::format("{} of its classes would be dynamic", count == 0 ? "none" : "all"),
+                fmt::format("choose some of {}", fmt::join(classes, ", ")));
+  }
+  dynamic_classes = chosen;
+}
+
 void check_input_size(cv::Size size, const std::string& where) {
   constexpr int kStep = 32, kMax = 4096;
   const auto good = [](int side) { return side >= kStep && side <= kMax && side % kStep == 0; };

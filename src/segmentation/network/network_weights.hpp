@@ -3,10 +3,18 @@
 #include <array>
 #include <opencv2/core/types.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace stdc {
+
+/// Turns log-odds into probabilities: p = 1 / (1 + exp(-(scale * odds + offset))) (Platt, 'Probabilistic
+/// Outputs for Support Vector Machines', 1999). Fitted on held-out images by
+/// training/stdc_training/fit_probability.py.
+struct ProbabilityCalibration {
+  float scale = 1, offset = 0;
+};
 
 /// The range of the numbers that reach a layer, found by calibration.
 struct ActivationRange {
@@ -46,9 +54,11 @@ struct NetworkWeights {
   std::string file;  ///< for messages
   std::string architecture;
   std::vector<std::string> classes;          ///< in the order of the channels
-  std::vector<bool> dynamic_classes;         ///< [class] moves by itself
+  std::vector<bool> dynamic_classes;         ///< [class] moves by itself; some do, some do not
   cv::Size input_size;                       ///< default size of inference [px]; multiples of 32
   std::array<float, 3> mean{}, deviation{};  ///< of RGB in 0..1
+  ProbabilityCalibration probability;        ///< of a pixel to be of a dynamic class
+  bool has_checksum = false;                 ///< the file was checked to be as it was written
   std::string licence, version, trained, scores;
   std::optional<ActivationRange> input_range;  ///< of the normalised image
 
@@ -62,6 +72,9 @@ struct NetworkWeights {
 
   /// True if every layer has its range, which int8 needs.
   bool calibrated() const;
+  /// Makes the named classes those that move by themselves. Throws Error naming the file's classes for a name
+  /// that is not among them, for no names, and for all classes.
+  void choose_dynamic(std::span<const std::string> names);
 };
 
 /// Side lengths that the network takes: multiples of 32 within 32..4096. Throws Error naming `where`.

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <type_traits>
 
 #include "core/error.hpp"
+#include "segmentation/network/kernels/weight_kernels.hpp"
 #include "segmentation/network/safetensors_checksum.hpp"
 
 static_assert(std::endian::native == std::endian::little, "safetensors files are little-endian");
@@ -157,19 +158,33 @@ std::uint64_t size_of(std::istream& stream) {
   return size < 0 ? 0 : static_cast<std::uint64_t>(size);
 }
 
-}  // namespace
-
-float float_from_half(std::uint16_t half) {
-  const std::uint32_t sign = static_cast<std::uint32_t>(half & 0x8000U) << 16U;
-  const std::uint32_t exponent = (half >> 10U) & 31U, fraction = half & 1023U;
-  constexpr std::uint32_t kBias = 127 - 15;
-  if (exponent == 31) return std::bit_cast<float>(sign | 0x7F800000U | (fraction << 13U));
-  if (exponent == 0) {
-    const float magnitude = static_cast<float>(fraction) * 0x1p-24F;
-    return sign != 0 ? -magnitude : magnitude;
+/// Appends `count` numbers of the type `Stored` to `values`, piece by piece: while a piece is in the cache,
+/// it is converted and checked.
+/// @returns nothing if the stream ends; else whether all are finite
+template <typename Stored>
+std::optional<bool> read_numbers(std::istream& stream, std::size_t count, std::vector<float>& values) {
+  constexpr std::size_t kPiece = std::size_t{1} << 13U;
+  std::vector<Stored> stored(std::min(count, kPiece));
+  std::vector<float> piece(stored.size());
+  values.reserve(count);
+  bool finite = true;
+  while (values.size() < count) {
+    const std::size_t size = std::min(stored.size(), count - values.size());
+    if (!stream.read(reinterpret_cast<char*>(stored.data()),
+                     static_cast<std::streamsize>(size * sizeof(Stored))))
+      return std::nullopt;
+    if constexpr (std::is_same_v<Stored, float>) {
+      std::swap(stored, piece);
+    } else {
+      widen_halves({stored.data(), size}, {piece.data(), size});
+    }
+    finite = finite && all_finite({piece.data(), size});
+    values.insert(values.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(size));
   }
-  return std::bit_cast<float>(sign | ((exponent + kBias) << 23U) | (fraction << 13U));
+  return finite;
 }
+
+}  // namespace
 
 SafetensorsFile::SafetensorsFile(const std::filesystem::path& path)
     : name_(path.string()), stream_(open(path)) {
@@ -210,7 +225,9 @@ void SafetensorsFile::read_header(std::uint64_t size) {
     }
   }
   check_places(name_, tensors_, size - data_begin_);
-  check_safetensors_checksum(*stream_, text, name_);
+  if (!check_safetensors_checksum(*stream_, text, name_) && metadata_.count("crc32") > 0) {
+    throw Error(name_, "is damaged (its checksum is not as the training package writes it)", kHint);
+  }
 }
 
 std::vector<float> SafetensorsFile::floats(const std::string& tensor) const {
@@ -223,20 +240,13 @@ std::vector<float> SafetensorsFile::floats(const std::string& tensor) const {
   const bool half = entry.type == "F16";
   if (!half && entry.type != "F32") throw Error(where, "is of type " + entry.type, "store it as F32 or F16");
   const std::uint64_t bytes = entry.end - entry.begin;
-  std::vector<float> values(bytes / (half ? 2 : 4));
-  // Halves are read into the second half of the memory and widened from the front.
-  char* target = reinterpret_cast<char*>(values.data()) + (half ? bytes : 0);
   stream_->clear();
   stream_->seekg(static_cast<std::streamoff>(data_begin_ + entry.begin));
-  if (!stream_->read(target, static_cast<std::streamsize>(bytes))) {
-    throw Error(where, "cannot be read", kHint);
-  }
-  for (std::size_t i = 0; half && i < values.size(); ++i) {
-    std::uint16_t bits = 0;
-    std::copy_n(target + 2 * i, 2, reinterpret_cast<char*>(&bits));
-    values[i] = float_from_half(bits);
-  }
-  if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); })) {
+  std::vector<float> values;
+  const auto finite = half ? read_numbers<std::uint16_t>(*stream_, bytes / 2, values)
+                           : read_numbers<float>(*stream_, bytes / 4, values);
+  if (!finite) throw Error(where, "cannot be read", kHint);
+  if (!*finite) {
     throw Error(where, "holds NaN or infinity", "export the weights again from a network that has converged");
   }
   return values;

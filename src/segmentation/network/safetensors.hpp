@@ -49,7 +49,4 @@ class SafetensorsFile {
   std::map<std::string, std::string> metadata_;
 };
 
-/// An IEEE half precision number (binary16) as float; exact.
-float float_from_half(std::uint16_t half);
-
 }  // namespace stdc

@@ -9,11 +9,11 @@
 
 namespace stdc {
 
-void check_safetensors_checksum(std::istream& stream, std::string header, const std::string& name) {
+bool check_safetensors_checksum(std::istream& stream, std::string header, const std::string& name) {
   constexpr std::string_view kKey = "\"crc32\":\"";
   constexpr std::size_t kDigits = 8, kChunk = std::size_t{1} << 20U;
   const std::size_t key = header.find(kKey);
-  if (key == std::string::npos || header.size() < key + kKey.size() + kDigits) return;
+  if (key == std::string::npos || header.size() < key + kKey.size() + kDigits) return false;
   const std::string written = header.substr(key + kKey.size(), kDigits);
   header.replace(key + kKey.size(), kDigits, kDigits, '0');
   const std::uint64_t length = header.size();
@@ -25,7 +25,7 @@ void check_safetensors_checksum(std::istream& stream, std::string header, const 
   while (stream.read(chunk.data(), static_cast<std::streamsize>(kChunk)) || stream.gcount() > 0)
     sum = libdeflate_crc32(sum, chunk.data(), static_cast<std::size_t>(stream.gcount()));
   stream.clear();
-  if (fmt::format("{:08x}", sum) == written) return;
+  if (fmt::format("{:08x}", sum) == written) return true;
   throw Error(name, "is damaged (its checksum is wrong)", "copy or download the file again");
 }
 

@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 
+#include <cstring>
 #include <memory>
+#include <set>
 #include <sstream>
 
 #include "core/test_folder.hpp"
+#include "core/text_file.hpp"
 #include "segmentation/network/safetensors.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
 namespace {
@@ -40,14 +44,39 @@ TEST(SafetensorsChecksum, AWholeFilePasses) { EXPECT_EQ(complaint(checked_file()
 
 TEST(SafetensorsChecksum, EveryFlippedBitIsNoticed) {
   const std::string good = checked_file();
-  const std::size_t key = good.find("crc32");
   for (std::size_t at = 0; at < good.size(); ++at) {
-    if (at >= key && at < key + 5) continue;  // without its name there is no checksum, but the rest is whole
+    // Without its name there is no checksum: weights files notice by their format, see below.
+    if (at >= good.find("crc32") && at < good.find("crc32") + 5) continue;
     for (int bit = 0; bit < 8; ++bit) {
       std::string bad = good;
       bad[at] = static_cast<char>(bad[at] ^ (1 << bit));
       EXPECT_NE(complaint(bad), "") << "byte " << at << " bit " << bit;
     }
+  }
+}
+
+/// What reading the weights in `bytes` complains of.
+std::string weights_complaint(const std::string& bytes) {
+  return test::message_of([&] {
+    read_network_weights(SafetensorsFile(std::make_unique<std::istringstream>(bytes), bytes.size(), "file"));
+  });
+}
+
+TEST(SafetensorsChecksum, EveryFlippedBitOfAWeightsFileIsNoticed) {
+  const std::string good =
+      read_file(std::filesystem::path(STDC_TEST_DATA) / "tiny.safetensors", "part of the sources");
+  ASSERT_EQ(weights_complaint(good), "");
+  std::uint64_t header = 0;
+  std::memcpy(&header, good.data(), sizeof header);
+  std::set<std::size_t> bits;
+  for (std::size_t at = 0; at < good.size(); at += at < header + 8 ? 61 : 4099) bits.insert(8 * at + at % 8);
+  for (const char* entry : {"\"__metadata__\"", "\"crc32\"", "\"format\""}) {
+    for (std::size_t i = 0; i < std::size_t{8} * 28; ++i) bits.insert(8 * good.find(entry) + i);
+  }
+  for (const std::size_t bit : bits) {
+    std::string bad = good;
+    bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << bit % 8));
+    EXPECT_NE(weights_complaint(bad), "") << "byte " << bit / 8 << " bit " << bit % 8;
   }
 }
 

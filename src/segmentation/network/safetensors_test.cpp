@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/test_folder.hpp"
+#include "segmentation/network/kernels/weight_kernels.hpp"
 
 namespace stdc {
 namespace {

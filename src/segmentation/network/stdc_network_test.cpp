@@ -117,10 +117,11 @@ struct PytorchCase {
 };
 
 TEST(StdcNetwork, Fp32EqualsPytorch) {
-  for (const char* name : {"tiny", "tiny2"}) {
+  for (const char* name : {"tiny", "tiny2", "tiny4"}) {
     const PytorchCase truth(name);
     StdcNetwork network(truth.weights, truth.size, NetworkPrecision::fp32);
     const Logits logits = network.run(truth.input);
+    EXPECT_EQ(logits.classes, static_cast<int>(truth.weights.classes.size()));
     EXPECT_EQ(logits.height, truth.size.height / 8);
     EXPECT_EQ(logits.width, truth.size.width / 8);
     EXPECT_LT(max_difference(logits.planes, truth.logits), 1e-4 * max_magnitude(truth.logits)) << name;
@@ -131,13 +132,28 @@ TEST(StdcNetwork, Fp32EqualsPytorch) {
 // The stated bound of int8: an error of the logits below 8 % of their size (root mean square). These networks
 // are narrow and not trained to be robust, which is the hard case; without VNNI activations have 7 bits.
 TEST(StdcNetwork, Int8IsNearPytorch) {
-  for (const char* name : {"tiny", "tiny2"}) {
+  for (const char* name : {"tiny", "tiny2", "tiny4"}) {
     const PytorchCase truth(name);
     StdcNetwork network(truth.weights, truth.size, NetworkPrecision::int8);
     EXPECT_EQ(network.precision(), NetworkPrecision::int8);
     EXPECT_LT(relative_rms(network.run(truth.image()).planes, truth.logits), 0.08) << name;
     expect_fast_kernels(network);
   }
+}
+
+// Without VNNI, 3x3 layers with many outputs run by our own Winograd; what they compute stays near fp32.
+TEST(StdcNetwork, Int8UsesWinogradWhereItIsFaster) {
+  const NetworkWeights weights = RandomWeights(false, {{16, 32}, {128, 128, 128}, 32, 64, 16, 32, 2}).read();
+  const cv::Size size(256, 192);
+  StdcNetwork network(weights, size, NetworkPrecision::int8);
+  int winograd = 0;
+  for (const NetworkStep& step : network.steps()) winograd += step.kernel == "own integer Winograd" ? 1 : 0;
+  EXPECT_EQ(winograd > 0, DnnlEngine::activation_levels() < 255);
+  StdcNetwork exact(weights, size, NetworkPrecision::fp32);
+  const cv::Mat image = some_image(size, 5);
+  const Logits wanted = exact.run(image);
+  const std::vector<float> truth(wanted.planes.begin(), wanted.planes.end());
+  EXPECT_LT(relative_rms(network.run(image).planes, truth), 0.08);
 }
 
 TEST(StdcNetwork, TheImageIsNormalised) {

@@ -82,14 +82,24 @@ class Metadata {
 void read_classes(const Metadata& metadata, NetworkWeights& network) {
   network.classes = metadata.names("classes");
   if (network.classes.size() < 2) metadata.refuse("classes", "has fewer than two classes");
-  network.dynamic_classes.assign(network.classes.size(), false);
   for (const std::string& name : metadata.names("dynamic_classes")) {
-    const auto found = std::find(network.classes.begin(), network.classes.end(), name);
-    if (found == network.classes.end()) {
+    if (std::find(network.classes.begin(), network.classes.end(), name) == network.classes.end())
       metadata.refuse("dynamic_classes", fmt::format("'{}' is not among the classes", name.substr(0, 80)));
-    }
-    network.dynamic_classes[static_cast<std::size_t>(found - network.classes.begin())] = true;
   }
+  network.choose_dynamic(metadata.names("dynamic_classes"));
+}
+
+/// Optional; by default the logits' own probabilities.
+void read_probability(const Metadata& metadata, NetworkWeights& network) {
+  constexpr float kMinScale = 1e-3F, kMaxScale = 1e3F, kMaxOffset = 1e3F;
+  if (!metadata.has("probability")) return;
+  const json pair = metadata.parsed("probability");
+  if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number() || !pair[1].is_number())
+    metadata.refuse("probability", "is not a list of scale and offset");
+  const ProbabilityCalibration read{pair[0].get<float>(), pair[1].get<float>()};
+  if (!(read.scale >= kMinScale && read.scale <= kMaxScale && std::abs(read.offset) <= kMaxOffset))
+    metadata.refuse("probability", "is damaged");
+  network.probability = read;
 }
 
 void read_normalisation(const Metadata& metadata, NetworkWeights& network) {
@@ -124,13 +134,23 @@ ActivationRanges read_ranges(const Metadata& metadata) {
   return ranges;
 }
 
+/// Files of stdc-weights-1 may lack a checksum; those of stdc-weights-2 must have it, else a damaged name of
+/// its entry would pass for a file without one.
+void check_format(const Metadata& metadata, const SafetensorsFile& file) {
+  const std::string format = metadata.text("format");
+  if (format != "stdc-weights-1" && format != "stdc-weights-2") {
+    metadata.refuse("format", "is neither stdc-weights-1 nor stdc-weights-2, which this version reads");
+  }
+  if (format == "stdc-weights-2" && !metadata.has("crc32")) {
+    throw Error(file.name(), "is damaged (it has lost its checksum)", "copy or download the file again");
+  }
+}
+
 }  // namespace
 
 ActivationRanges read_metadata(const SafetensorsFile& file, NetworkWeights& network) {
   const Metadata metadata(file);
-  if (metadata.text("format") != "stdc-weights-1") {
-    metadata.refuse("format", "is not stdc-weights-1, the one that this version reads");
-  }
+  check_format(metadata, file);
   network.file = file.name();
   network.architecture = metadata.text("architecture");
   if (network.architecture != "STDC1-Seg" && network.architecture != "STDC2-Seg") {
@@ -138,12 +158,14 @@ ActivationRanges read_metadata(const SafetensorsFile& file, NetworkWeights& netw
   }
   network.input_size = {metadata.whole_number("input_width"), metadata.whole_number("input_height")};
   check_input_size(network.input_size, fmt::format("{}: 'input_width' x 'input_height'", file.name()));
+  network.has_checksum = metadata.has("crc32");
   network.licence = metadata.text("licence");
   network.version = metadata.text_or_nothing("version");
   network.trained = metadata.text_or_nothing("trained");
   network.scores = metadata.text_or_nothing("scores");
   read_classes(metadata, network);
   read_normalisation(metadata, network);
+  read_probability(metadata, network);
   return read_ranges(metadata);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "segmentation/network/kernels/weight_kernels.hpp"
 #include "segmentation/network/weights_metadata.hpp"
 
 namespace stdc {
@@ -34,10 +35,8 @@ class LayerReader {
         throw Error(fmt::format("{}: tensor '{}.bn.running_var'", file_.name(), name), "is negative", kHint);
       }
       const double factor = gain[o] / std::sqrt(variance[o] + kEpsilon);
-      for (std::size_t i = 0; i < count; ++i) {
-        float& weight = layer.weights[o * count + i];
-        weight = static_cast<float>(weight * factor);
-      }
+      float* const row = &layer.weights[o * count];
+      for (std::size_t i = 0; i < count; ++i) row[i] = static_cast<float>(row[i] * factor);
       layer.bias[o] = static_cast<float>(offset[o] - mean[o] * factor);
     }
     check_folded(layer);
@@ -102,11 +101,7 @@ class LayerReader {
     return found == ranges_.end() ? std::nullopt : std::optional(found->second);
   }
   void check_folded(const ConvolutionWeights& layer) const {
-    const auto finite = [](float value) { return std::isfinite(value); };
-    if (std::all_of(layer.weights.begin(), layer.weights.end(), finite) &&
-        std::all_of(layer.bias.begin(), layer.bias.end(), finite)) {
-      return;
-    }
+    if (all_finite(layer.weights) && all_finite(layer.bias)) return;
     throw Error(fmt::format("{}: layer '{}'", file_.name(), layer.name),
                 "its batch normalisation makes the weights infinite", kHint);
   }

@@ -59,7 +59,8 @@ TEST(WeightsReader, RefusesWrongMetadata) {
     weights.metadata[key] = value;
     return weights;
   };
-  expect_refused(with("format", "stdc-weights-2"), "is not stdc-weights-1");
+  expect_refused(with("format", "stdc-weights-3"), "is neither stdc-weights-1 nor stdc-weights-2");
+  expect_refused(with("format", "stdc-weights-2"), "has lost its checksum");
   expect_refused(with("architecture", "BiSeNet"), "neither STDC1-Seg nor STDC2-Seg");
   expect_refused(with("classes", "person"), "'classes': is not JSON");
   expect_refused(with("classes", R"(["one"])"), "fewer than two");
@@ -67,6 +68,10 @@ TEST(WeightsReader, RefusesWrongMetadata) {
   expect_refused(with("dynamic_classes", R"(["dog"])"), "'dog' is not among the classes");
   expect_refused(with("dynamic_classes", R"({"a":1})"), "not a list of names");
   expect_refused(with("classes", std::string(5000, '[')), "is not JSON");
+  expect_refused(with("dynamic_classes", "[]"), "none of its classes would be dynamic");
+  expect_refused(with("dynamic_classes", R"(["c0","c1"])"), "all of its classes would be dynamic");
+  expect_refused(with("probability", "[1]"), "is not a list of scale and offset");
+  expect_refused(with("probability", "[-1, 0]"), "'probability': is damaged");
   expect_refused(with("input_width", "500"), "500x384 is not a size");
   expect_refused(with("input_height", "0x20"), "not a whole number");
   expect_refused(with("mean", "[1,2]"), "list of three numbers");
@@ -124,6 +129,19 @@ TEST(WeightsReader, KnowsWhetherItIsCalibrated) {
   RandomWeights weights = narrow();
   weights.metadata.erase("activation_ranges");
   EXPECT_FALSE(weights.read().calibrated());
+}
+
+TEST(WeightsReader, OtherClassesCanBeChosen) {
+  RandomWeights weights(false, {{4, 8}, {16, 16, 32}, 8, 16, 4, 8, 4});
+  weights.metadata["probability"] = "[0.5, -0.25]";
+  NetworkWeights network = weights.read();
+  EXPECT_FLOAT_EQ(network.probability.scale, 0.5F);
+  EXPECT_FLOAT_EQ(network.probability.offset, -0.25F);
+  network.choose_dynamic(std::vector<std::string>{"c3", "c1"});
+  EXPECT_EQ(network.dynamic_classes, (std::vector<bool>{false, true, false, true}));
+  EXPECT_EQ(message_of([&] { network.choose_dynamic(std::vector<std::string>{"dog"}); }),
+            "random weights: knows no class 'dog'; choose from c0, c1, c2, c3");
+  EXPECT_EQ(network.dynamic_classes, (std::vector<bool>{false, true, false, true}));
 }
 
 TEST(WeightsReader, IgnoresOtherTensors) {

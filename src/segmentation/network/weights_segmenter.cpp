@@ -1,14 +1,23 @@
 #include "segmentation/network/weights_segmenter.hpp"
 
+#include "core/error.hpp"
 #include "segmentation/network/network_segmenter.hpp"
 #include "segmentation/network/onnx_segmenter.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
 
 std::unique_ptr<Segmenter> make_weights_segmenter(const std::filesystem::path& weights,
-                                                  const NetworkSettings& settings) {
+                                                  const NetworkSettings& settings,
+                                                  const std::vector<std::string>& dynamic) {
   if (weights.extension() != ".onnx") {
-    return std::make_unique<NetworkSegmenter>(weights.empty() ? find_network_weights() : weights, settings);
+    NetworkWeights network = read_network_weights(weights.empty() ? find_network_weights() : weights);
+    if (!dynamic.empty()) network.choose_dynamic(dynamic);
+    return std::make_unique<NetworkSegmenter>(network, settings);
+  }
+  if (!dynamic.empty()) {
+    throw Error(weights.string(), "an ONNX model's classes have no names to choose from",
+                "write their numbers as 'dynamic_classes' into the JSON file beside it");
   }
   OnnxModel model = read_onnx_description(weights);
   if (settings.input_width > 0) model.input_size.width = settings.input_width;

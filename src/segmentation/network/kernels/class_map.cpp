@@ -50,8 +50,7 @@ void ClassMap::blend_row(const Logits& logits, const Sample& sample) {
     for (std::size_t x = 0; x < width; ++x) {
       blended_[x] =
           (1 - weight) * (one[upper + x] - other[upper + x]) + weight * (one[lower + x] - other[lower + x]);
-      // A tie is won by the class that is named first.
-      winners_[x] = blended_[x] > 0 || (dynamic_[0] && blended_[x] == 0) ? 1 : 0;
+      winners_[x] = two_class_winner(blended_[x]);
     }
     return;
   }
@@ -63,43 +62,44 @@ void ClassMap::blend_row(const Logits& logits, const Sample& sample) {
       row[x] = (1 - weight) * data[upper + x] + weight * data[lower + x];
       const bool wins = k == 0 || row[x] > best_[x];
       best_[x] = wins ? row[x] : best_[x];
-      winners_[x] = wins ? static_cast<int>(k) : winners_[x];
+      winners_[x] = wins ? k : winners_[x];
     }
   }
 }
 
-std::uint8_t ClassMap::pixel(const Sample& sample) const {
+/// Of the difference of the dynamic and the other class. A tie is won by the class that is named first.
+std::size_t ClassMap::two_class_winner(float difference) const {
+  const bool is_dynamic = difference > 0 || (dynamic_[0] && difference == 0);
+  return is_dynamic == dynamic_[0] ? 0 : 1;
+}
+
+std::size_t ClassMap::class_at(const Sample& sample) const {
   const auto first = static_cast<std::size_t>(sample.first), second = static_cast<std::size_t>(sample.second);
   const auto value = [&](std::size_t row) {
     const float* data = &blended_[row * static_cast<std::size_t>(logits_size_.width)];
     return (1 - sample.weight) * data[first] + sample.weight * data[second];
   };
-  if (two_classes_) {
-    const float difference = value(0);
-    return difference > 0 || (dynamic_[0] && difference == 0) ? kDynamic : 0;
-  }
+  if (two_classes_) return two_class_winner(value(0));
   std::size_t best = 0;
   float best_logit = value(0);
   for (std::size_t k = 1; k < dynamic_.size(); ++k) {
     const float other = value(k);
     if (other > best_logit) best = k, best_logit = other;
   }
-  return dynamic_[best] ? kDynamic : 0;
+  return best;
 }
 
-void ClassMap::draw_row(std::uint8_t* row) const {
-  const auto dynamic_winner = [&](std::size_t cell) {
-    return two_classes_ ? winners_[cell] == 1 : dynamic_[static_cast<std::size_t>(winners_[cell])];
-  };
+void ClassMap::paint_row(const std::vector<std::uint8_t>& value_of_class, std::uint8_t* row) const {
   const std::size_t last = winners_.size() - 1;
   for (std::size_t cell = 0; cell <= last;) {
     const std::size_t begin = cell_begin_[cell];
     if (winners_[cell] != winners_[std::min(cell + 1, last)]) {
-      for (std::size_t x = begin; x < cell_begin_[cell + 1]; ++x) row[x] = pixel(columns_[x]);
+      for (std::size_t x = begin; x < cell_begin_[cell + 1]; ++x)
+        row[x] = value_of_class[class_at(columns_[x])];
       ++cell;
       continue;
     }
-    const std::uint8_t value = dynamic_winner(cell) ? kDynamic : 0;
+    const std::uint8_t value = value_of_class[winners_[cell]];
     do {
       ++cell;
     } while (cell <= last && winners_[cell] == winners_[cell - 1] &&
@@ -108,13 +108,25 @@ void ClassMap::draw_row(std::uint8_t* row) const {
   }
 }
 
-cv::Mat ClassMap::draw(const Logits& logits) {
-  cv::Mat mask(size_, CV_8UC1);
+cv::Mat ClassMap::paint(const Logits& logits, const std::vector<std::uint8_t>& value_of_class) {
+  cv::Mat map(size_, CV_8UC1);
   for (int y = 0; y < size_.height; ++y) {
     blend_row(logits, rows_[static_cast<std::size_t>(y)]);
-    draw_row(mask.ptr(y));
+    paint_row(value_of_class, map.ptr(y));
   }
-  return mask;
+  return map;
+}
+
+cv::Mat ClassMap::draw(const Logits& logits) {
+  std::vector<std::uint8_t> values;
+  for (const bool is_dynamic : dynamic_) values.push_back(is_dynamic ? kDynamic : 0);
+  return paint(logits, values);
+}
+
+cv::Mat ClassMap::draw_classes(const Logits& logits) {
+  std::vector<std::uint8_t> numbers;
+  for (std::size_t k = 0; k < dynamic_.size(); ++k) numbers.push_back(static_cast<std::uint8_t>(k));
+  return paint(logits, numbers);
 }
 
 }  // namespace stdc

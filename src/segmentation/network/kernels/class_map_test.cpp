@@ -79,5 +79,29 @@ TEST(ClassMap, AllOrNoClassesMayBeDynamic) {
   EXPECT_EQ(cv::countNonZero(ClassMap({2, 2}, {8, 8}, {false, false}).draw({planes, 2, 2, 2})), 0);
 }
 
+TEST(ClassMap, TellsEveryClass) {
+  Random random(5);
+  for (const auto& dynamic :
+       std::vector<std::vector<bool>>{{false, true}, {true, false}, {false, true, false, true}}) {
+    const std::size_t classes = dynamic.size();
+    std::vector<float> planes(classes * 12 * 9);
+    for (float& value : planes) value = static_cast<float>(random.uniform(-3, 3));
+    ClassMap map({12, 9}, {97, 70}, dynamic);
+    const Logits logits{planes, static_cast<int>(classes), 9, 12};
+    const cv::Mat numbers = map.draw_classes(logits), mask = map.draw(logits);
+    cv::Mat expected = cv::Mat::zeros(mask.size(), CV_8UC1);
+    for (std::size_t k = 0; k < classes; ++k) {
+      // Each class alone: as if it were the only dynamic one.
+      std::vector<bool> alone(classes, false);
+      alone[k] = true;
+      const cv::Mat own = numbers == static_cast<double>(k);
+      EXPECT_GT(cv::countNonZero(own), 0);
+      EXPECT_LE(cv::countNonZero(own != ClassMap({12, 9}, {97, 70}, alone).draw(logits)), 2);
+      if (dynamic[k]) expected |= own;
+    }
+    EXPECT_EQ(cv::countNonZero(expected != mask), 0);
+  }
+}
+
 }  // namespace
 }  // namespace stdc
