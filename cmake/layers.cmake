@@ -40,6 +40,21 @@ function(stdc_leave_out_rendered_tests list_name)
   set(${list_name} ${kept} PARENT_SCOPE)
 endfunction()
 
+# stdc_unite(TARGET MAX file...): files of the target that lie in the same folder are compiled together, at most MAX of
+# them: what their headers and templates cost is paid once. For files that are seldom changed, because a change to one
+# compiles its neighbours too. Names in their anonymous namespaces must differ.
+function(stdc_unite target max)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(folder ${file} DIRECTORY)
+    get_filename_component(folder ${folder} NAME)
+    math(EXPR batch "${count_${folder}}+0")
+    math(EXPR group "${batch} / ${max}")
+    math(EXPR count_${folder} "${batch} + 1")
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${folder}_${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # stdc_add_layer(NAME DEPENDS target... TEST_DEPENDS target...)
 # Makes the library stdc_NAME of the .cpp files in this folder and its sub-folders, and the test program
 # stdc_NAME_test of the *_test.cpp files. Helpers of tests and benchmarks, test_*.cpp, are the library

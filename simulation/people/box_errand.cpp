@@ -9,19 +9,19 @@
 namespace stdc::simulation {
 namespace {
 
-constexpr double kLane = -1.05;  // y of the table and of the person beside it [m]
+constexpr double kTableLane = -1.05;  // y of the table and of the person beside it [m]
 constexpr double kBoxX = -0.33;
 constexpr double kPersonX = kBoxX - 0.54;  // as far as the arms reach
 constexpr double kQuarter = std::numbers::pi / 2;
 
-Pose box_place() { return placed(kBoxX, kLane, kSideTableHeight + 0.0005, kQuarter); }
+Pose box_place() { return placed(kBoxX, kTableLane, kSideTableHeight + 0.0005, kQuarter); }
 
 void come(Route& route) {
-  route.walk({{-1.7, kLane}, {kPersonX, kLane}}, 0.85);
+  route.walk({{-1.7, kTableLane}, {kPersonX, kTableLane}}, 0.85);
   route.turn(kQuarter);
 }
 
-void leave(Route& route) { route.walk({{-1.6, kLane}, {-2.75, -0.85}}, 0.9); }
+void leave(Route& route) { route.walk({{-1.6, kTableLane}, {-2.75, -0.85}}, 0.9); }
 
 void pick_up(Route& route) {
   const double picking = route.end();
@@ -31,7 +31,7 @@ void pick_up(Route& route) {
 
 }  // namespace
 
-Pose side_table_pose() { return placed(-0.25, kLane, 0); }
+Pose side_table_pose() { return placed(-0.25, kTableLane, 0); }
 
 Route plan_box_errand(BoxErrand errand) {
   Route route({{-2.7, -0.9}, kQuarter});

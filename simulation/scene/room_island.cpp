@@ -9,7 +9,7 @@
 namespace stdc::simulation {
 namespace {
 
-constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kQuarterTurn = std::numbers::pi / 2;
 constexpr int kBoxDesk = 0;  // the desk that a box is put on
 
 /// One of the four places at the island; the sitter looks north in its frame.
@@ -66,11 +66,11 @@ void add_island(ShapeBuilder& b, const RoomMaterials& m, Random& random) {
                north = RoomPlan::kIslandNorth - 0.4;
   add_workplace(b, m, placed(-x, south, 0), 0, random);
   add_workplace(b, m, placed(x, south, 0), 1, random);
-  add_workplace(b, m, placed(-x, north, 0, 2 * kQuarter), 2, random);
-  add_workplace(b, m, placed(x, north, 0, 2 * kQuarter), 3, random);
+  add_workplace(b, m, placed(-x, north, 0, 2 * kQuarterTurn), 2, random);
+  add_workplace(b, m, placed(x, north, 0, 2 * kQuarterTurn), 3, random);
   b.world_from_local = placed(0.02, 1.0, kDeskHeight);
   add_fruit_bowl(b, m);
-  b.world_from_local = placed(-0.45, -0.05, 0, 2 * kQuarter + 0.5);
+  b.world_from_local = placed(-0.45, -0.05, 0, 2 * kQuarterTurn + 0.5);
   add_office_chair(b, m);  // tucked in
   b.world_from_local = placed(0.7, 2.02, 0, 0.3);
   add_office_chair(b, m);

@@ -7,7 +7,7 @@
 namespace stdc::simulation {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -88,10 +88,10 @@ void ShapeBuilder::revolve(const Vector3d& base, const std::vector<Vector2d>& pr
       const Vector2d& p = profile[i + end];
       const Vector2d n = (end == 0 ? first : last).normalized();
       for (int k = 0; k <= segments; ++k) {
-        const double angle = kTwoPi * k / segments, c = std::cos(angle), s = std::sin(angle);
+        const double angle = kFullTurn * k / segments, c = std::cos(angle), s = std::sin(angle);
         vertex(base + Vector3d(p.x() * c, p.x() * s, p.y()), Vector3d(n.x() * c, n.x() * s, n.y()),
                texture_at(finish, offset, static_cast<double>(k) / segments,
-                          (end == 0 ? along : next) / total, kTwoPi * radius, total));
+                          (end == 0 ? along : next) / total, kFullTurn * radius, total));
       }
     }
     mesh_.finish_patch(segments, 1, finish.material);
@@ -114,12 +114,12 @@ void ShapeBuilder::ellipsoid(const Vector3d& centre, const Vector3d& radii, cons
   for (int r = 0; r <= rows; ++r) {
     const double latitude = std::numbers::pi * (static_cast<double>(r) / rows - 0.5);
     for (int k = 0; k <= segments; ++k) {
-      const double longitude = kTwoPi * k / segments;
+      const double longitude = kFullTurn * k / segments;
       const Vector3d unit(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
                           std::sin(latitude));
       vertex(centre + unit.cwiseProduct(radii), unit.cwiseQuotient(radii),
              texture_at(finish, offset, static_cast<double>(k) / segments, static_cast<double>(r) / rows,
-                        kTwoPi * radii.x(), std::numbers::pi * radii.z()));
+                        kFullTurn * radii.x(), std::numbers::pi * radii.z()));
     }
   }
   mesh_.finish_patch(segments, rows, finish.material);
@@ -137,10 +137,10 @@ void ShapeBuilder::rod(const std::vector<Vector3d>& points, double radius, const
     const Vector3d across = tangent.cross(side);
     if (i > 0) along += (points[i] - points[i - 1]).norm();
     for (int k = 0; k <= sides; ++k) {
-      const double angle = kTwoPi * k / sides;
+      const double angle = kFullTurn * k / sides;
       const Vector3d out = std::cos(angle) * side + std::sin(angle) * across;
       vertex(points[i] + radius * out, out,
-             texture_at(finish, offset, static_cast<double>(k) / sides, along / length, kTwoPi * radius,
+             texture_at(finish, offset, static_cast<double>(k) / sides, along / length, kFullTurn * radius,
                         length));
     }
   }

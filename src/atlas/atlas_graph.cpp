@@ -1,4 +1,4 @@
-// The part of Map that ties keyframes to each other: covisibility, spanning trees, loops.
+// The part of Atlas that connects keyframes to each other: covisibility, spanning trees, loops.
 #include <algorithm>
 
 #include "atlas/atlas.hpp"

@@ -26,12 +26,12 @@ int medoid(std::span<const Descriptor* const> descriptors) {
   if (count <= 2) return 0;
   std::vector<int> distances(static_cast<std::size_t>(count) * count, 0);
   measure_all(descriptors.data(), count, distances.data());
-  int best = 0, least = 257;
+  int best = 0, min_median = 257;
   for (int i = 0; i < count; ++i) {
     const auto row = distances.begin() + i * count;
     std::nth_element(row, row + count / 2, row + count);
-    if (row[count / 2] < least) {
-      least = row[count / 2];
+    if (row[count / 2] < min_median) {
+      min_median = row[count / 2];
       best = i;
     }
   }

@@ -38,14 +38,14 @@ TEST(Medoid, AgreesWithItsDefinition) {
     const int count = 3 + static_cast<int>(random.below(12));
     all.reserve(count);
     for (int i = 0; i < count; ++i) all.push_back(test::random_descriptor(random));
-    int best = -1, least = 257;
+    int best = -1, min_median = 257;
     for (int i = 0; i < count; ++i) {
       std::vector<int> row;
       row.reserve(all.size());
       for (const Descriptor& other : all) row.push_back(hamming_distance(all[i], other));
       std::sort(row.begin(), row.end());
-      if (row[count / 2] >= least) continue;
-      least = row[count / 2];
+      if (row[count / 2] >= min_median) continue;
+      min_median = row[count / 2];
       best = i;
     }
     EXPECT_EQ(chosen(all), best);

@@ -140,7 +140,7 @@ TEST(Atlas, TiesStandOnBothSidesAndInOrder) {
   test::expect_consistent(atlas);
   atlas.remove(id(1));
   EXPECT_TRUE(atlas.keyframe(id(0)).loops.empty() && atlas.keyframe(id(2)).loops.empty())
-      << "a tie ends with either of its ends";
+      << "an edge ends with either of its ends";
   test::expect_consistent(atlas);
 }
 

@@ -55,8 +55,8 @@ std::string format_trajectory(const Trajectory& trajectory) {
   for (const StampedPose& pose : trajectory) {
     const Eigen::Vector3d& t = pose.world_from_cam.translation;
     const Eigen::Quaterniond& q = pose.world_from_cam.rotation;
-    fmt::format_to(std::back_inserter(text), "{:.6f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f}\n",
-                   pose.timestamp, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
+    text += fmt::format("{:.6f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f}\n", pose.timestamp, t.x(),
+                        t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
   }
   return text;
 }

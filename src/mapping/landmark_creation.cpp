@@ -59,7 +59,7 @@ std::vector<KeypointPair> match_along_epipolars(const Camera& camera, const View
   for (const int i : a.free) {
     const Eigen::Vector3f line = f * a.pixel(i).homogeneous();
     const float norm2 = line.head<2>().squaredNorm();
-    int best = -1, least = max_distance + 1;
+    int best = -1, min_bits = max_distance + 1;
     for (const int j : b.free) {
       if (taken[j] != 0 || std::abs(a.features->keypoint(i).level - b.features->keypoint(j).level) > 2)
         continue;
@@ -67,8 +67,8 @@ std::vector<KeypointPair> match_along_epipolars(const Camera& camera, const View
       const float scale = b.features->scale_of(j);
       if (distance * distance > gate * scale * scale * norm2) continue;
       const int bits = hamming_distance(a.features->descriptor(i), b.features->descriptor(j));
-      if (bits >= least) continue;
-      least = bits;
+      if (bits >= min_bits) continue;
+      min_bits = bits;
       best = j;
     }
     if (best < 0) continue;

@@ -26,14 +26,13 @@ std::string counts(const MapContent& map) {
                      map.observations);
 }
 
-nlohmann::ordered_json to_json(const MapContent& map) {
+nlohmann::ordered_json content_to_json(const MapContent& map) {
   nlohmann::ordered_json json{
       {"keyframes", map.keyframes}, {"landmarks", map.landmarks}, {"observations", map.observations}};
   json["bounding_box_m"] = nullptr;
   if (!map.box.isEmpty()) {
-    const Eigen::Vector3d &least = map.box.min(), &most = map.box.max();
-    json["bounding_box_m"] = {{"min", {least.x(), least.y(), least.z()}},
-                              {"max", {most.x(), most.y(), most.z()}}};
+    const Eigen::Vector3d &min = map.box.min(), &max = map.box.max();
+    json["bounding_box_m"] = {{"min", {min.x(), min.y(), min.z()}}, {"max", {max.x(), max.y(), max.z()}}};
   }
   json["first_timestamp"] = map.first_timestamp;
   json["last_timestamp"] = map.last_timestamp;
@@ -90,13 +89,12 @@ std::string map_report_text(const MapReport& report) {
     if (report.maps.size() > 1) text += fmt::format("map {}: {}\n", number, counts(map));
     const char* indent = report.maps.size() > 1 ? "  " : "";
     if (!map.box.isEmpty()) {
-      const Eigen::Vector3d size = map.box.sizes(), &least = map.box.min(), &most = map.box.max();
+      const Eigen::Vector3d size = map.box.sizes(), &min = map.box.min(), &max = map.box.max();
       text += fmt::format(
           "{}landmarks within {:.2f} x {:.2f} x {:.2f} m: x {:.2f} to {:.2f}, y {:.2f} to {:.2f}, z {:.2f} "
           "to "
           "{:.2f}\n",
-          indent, size.x(), size.y(), size.z(), least.x(), most.x(), least.y(), most.y(), least.z(),
-          most.z());
+          indent, size.x(), size.y(), size.z(), min.x(), max.x(), min.y(), max.y(), min.z(), max.z());
     }
     text += fmt::format("{}keyframes over {:.1f} s, {:.6f} to {:.6f}\n", indent,
                         map.last_timestamp - map.first_timestamp, map.first_timestamp, map.last_timestamp);
@@ -114,7 +112,7 @@ std::string map_report_json(const MapReport& report) {
   json["landmarks"] = all.landmarks;
   json["observations"] = all.observations;
   json["maps"] = nlohmann::ordered_json::array();
-  for (const MapContent& map : report.maps) json["maps"].push_back(to_json(map));
+  for (const MapContent& map : report.maps) json["maps"].push_back(content_to_json(map));
   return json.dump(2) + "\n";
 }
 

@@ -71,13 +71,13 @@ std::string csv_row(const TrackingResult& r) {
                                 r.map.valid() ? std::to_string(r.map.value) : "", r.keypoints_high,
                                 r.keypoints_low, r.matches, r.inliers, r.is_keyframe ? 1 : 0);
   for (const Stage& stage : kStages) {
-    fmt::format_to(std::back_inserter(row), ",{:.3f}", r.milliseconds.*stage.time);
+    row += fmt::format(",{:.3f}", r.milliseconds.*stage.time);
   }
   row += segmentation_columns(r.segmentation);
   if (r.mapping) {
-    fmt::format_to(std::back_inserter(row), ",{:.3f},{:.3f},{},{},{},{:.3f}", r.mapping->total_ms,
-                   r.mapping->bundle_ms, keyframes_of(r.mapping->bundle), r.mapping->bundle.landmarks,
-                   r.mapping->bundle.observations, r.place_recognition_ms.value_or(0));
+    row += fmt::format(",{:.3f},{:.3f},{},{},{},{:.3f}", r.mapping->total_ms, r.mapping->bundle_ms,
+                       keyframes_of(r.mapping->bundle), r.mapping->bundle.landmarks,
+                       r.mapping->bundle.observations, r.place_recognition_ms.value_or(0));
   } else {
     row += ",,,,,,";
   }

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxClasses = 1000;
-constexpr const char* kHint = "give weights written by the training package of this project";
+constexpr const char* kWeightsHint = "give weights written by the training package of this project";
 
 /// The entries of "__metadata__", with messages that name them.
 class Metadata {
@@ -24,7 +24,8 @@ class Metadata {
 
   std::string text(const std::string& key) const {
     const auto found = file_.metadata().find(key);
-    if (found == file_.metadata().end()) throw Error(file_.name(), fmt::format("has no '{}'", key), kHint);
+    if (found == file_.metadata().end())
+      throw Error(file_.name(), fmt::format("has no '{}'", key), kWeightsHint);
     return found->second;
   }
   std::string text_or_nothing(const std::string& key) const {
@@ -33,7 +34,7 @@ class Metadata {
   }
   bool has(const std::string& key) const { return file_.metadata().count(key) > 0; }
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const {
-    throw Error(fmt::format("{}: '{}'", file_.name(), key), problem, kHint);
+    throw Error(fmt::format("{}: '{}'", file_.name(), key), problem, kWeightsHint);
   }
 
   int whole_number(const std::string& key) const {
