@@ -101,7 +101,7 @@ class Atlas {
   std::vector<KeyframeId> keyframe_ids(MapId map) const;
   /// All of `from` now belongs to the older map `into`. What is where is for the caller to see to.
   void join(MapId from, MapId into);
-  /// Notes that a loop connects two keyframes.
+  /// Notes that a loop ties two keyframes to each other.
   void add_loop_edge(KeyframeId a, KeyframeId b);
 
   /// All keyframes and landmarks, by id.

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/image_codec.hpp"
-#include "report/run_record.hpp"
+#include "report/result_text.hpp"
 
 namespace stdc::app {
 namespace {

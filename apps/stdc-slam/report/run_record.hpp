@@ -18,8 +18,6 @@ struct StatusCounts {
   int total() const { return ok + uncertain + lost + initialising + skipped; }
 };
 
-const char* status_name(TrackingStatus status);
-
 /// What a run has found out about its frames; keeps no images and no keypoints.
 class RunRecord {
  public:
@@ -32,14 +30,14 @@ class RunRecord {
 
   const StatusCounts& counts() const { return counts_; }
   /// One row per input frame, with a head line. Times in milliseconds; the columns of mapping are empty where
-  /// no mapping result was taken in.
+  /// no mapping result was collected.
   std::string frames_csv() const;
   /// Stage times of the processed frames, {"extraction": {"median", "p95", "p99"}, ...} [ms].
   nlohmann::ordered_json stage_milliseconds() const;
   /// The same of local mapping, per keyframe, with the sizes of the bundle adjustments.
   nlohmann::ordered_json mapping() const;
   const LoopRecord& loops() const { return loops_; }
-  /// A loop that was taken in after the last frame.
+  /// A loop that was collected after the last frame.
   void add(const LoopReport& loop) { loops_.add(loop); }
   /// The poses that the frames had when they were tracked.
   std::vector<FramePose> tracked_poses() const;

@@ -24,7 +24,9 @@ class TileMap {
   const cv::Rect& box() const { return box_; }
 
  private:
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
   void place(int i);
   void claim(int i, const Eigen::Vector2f& middle);
   void close_gaps();
