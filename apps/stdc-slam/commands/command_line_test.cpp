@@ -65,7 +65,7 @@ TEST_F(CommandLine, ACorruptImageInMidSequenceIsSkipped) {
   make_sequence();
   fs::resize_file(folder_ / "s/rgb/5.png", 200);
   fs::remove(folder_ / "s/depth/8.png");
-  const Outcome outcome = call("run s --output o");
+  const Outcome outcome = call("run s --output o --quiet");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(lines(outcome.err), 2) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "s/rgb/5.png (rgb.txt:7): the PNG ends too early")) << outcome.err;
