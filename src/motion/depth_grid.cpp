@@ -35,6 +35,20 @@ Eigen::Vector2f shift_by_rotation(const GridGeometry& geometry, float x, float y
           seconds * scale * geometry.focal_y() * (vy - y * vz)};
 }
 
+/// How fast things at rest pass through the view [rad/s]: by the rotation of the camera, and by its
+/// translation at the mean inverse depth.
+double apparent_speed(const CameraMotion& motion, const std::vector<float>& depth) {
+  double inverse = 0;
+  int count = 0;
+  for (const float z : depth) {
+    if (z == 0) continue;
+    inverse += 1 / static_cast<double>(z);
+    ++count;
+  }
+  const double turning = motion.twist.tail<3>().norm();
+  return count == 0 ? turning : turning + motion.twist.head<3>().norm() * inverse / count;
+}
+
 /// Extremes of three neighbours along a line, ignoring missing values.
 template <typename Better>
 float extreme(float a, float b, float c, Better better) {
@@ -107,8 +121,6 @@ DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const 
                       const cv::Mat& depth, double time_tolerance) {
   constexpr int kMaxReach = 5;
   DepthGrid grid;
-  const double turned = motion.twist.tail<3>().norm() * time_tolerance;  // [rad]
-  grid.reach = std::min(1 + static_cast<int>(turned * static_cast<double>(geometry.focal_x())), kMaxReach);
   grid.depth.assign(static_cast<std::size_t>(geometry.size()), 0);
   const auto metres_per_unit = static_cast<float>(1 / camera.depth_units_per_metre);
   const Eigen::Vector3f rotation = motion.twist.tail<3>().cast<float>();
@@ -126,6 +138,8 @@ DepthGrid sample_grid(const GridGeometry& geometry, const Camera& camera, const 
       grid.depth[cell] = middle_depth(depth, u, v, reach, metres_per_unit);
     }
   }
+  const double passed = apparent_speed(motion, grid.depth) * time_tolerance;  // [rad]
+  grid.reach = std::min(1 + static_cast<int>(passed * static_cast<double>(geometry.focal_x())), kMaxReach);
   grid.find_extremes(geometry.width(), geometry.height());
   return grid;
 }

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "motion/cell_mask.hpp"
+#include "motion/resting_surfaces.hpp"
 #include "segmentation/propagation/propagation_frame.hpp"
 #include "segmentation/propagation/tile_map.hpp"
 
@@ -37,7 +38,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   }
   if (last_) {
     belief_.carry(last_->grid, frame.grid, last_->cam_from_world * frame.cam_from_world.inverse(),
-                  sources(tiles));
+                  sources(tiles), is_young(frame.timestamp, kYoung));
   } else {
     belief_.reset();
   }
@@ -48,7 +49,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
   if (input.cam_from_world) {
     scene_.choose(frame);
     std::vector<CellFinding> findings = scene_.compare(frame);
-    if (recent_.size() >= kLag) scene_.find_receding(recent_.front(), frame, findings);
+    if (recent_.size() >= kLag) scene_.find_receding(recent_[recent_.size() - kLag], frame, findings);
     belief_.add(findings);
     belief_.add_opinion(cells_of(input.moving), 2);
     belief_.add_opinion(segmented, 2);
@@ -61,15 +62,27 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
       remember(frame, findings, segmented);
       gone = find_gone(frame, input.missing);
     }
+    find_resting(frame, segmented);
     recent_.push_back(frame);
-    if (recent_.size() > kLag) recent_.pop_front();
+    while (recent_.size() > kLag && frame.timestamp - recent_[1].timestamp > kPause) recent_.pop_front();
   } else {
     // Once the camera is found again, what was believed may be long out of date.
     recent_.clear();
     belief_.reset();
+    resting_.clear();
   }
   last_ = std::move(frame);
   return gone;
+}
+
+/// What stands still at present, if enough has been seen to tell. A segmenter's people move even so.
+void MapMotion::find_resting(const SceneFrame& frame, const std::vector<std::uint8_t>& segmented) {
+  resting_.assign(frame.grid.depth.size(), 0);
+  if (recent_.empty() || frame.timestamp - recent_.front().timestamp < 0.9 * kPause) return;
+  const std::vector<std::uint8_t> moving = moving_cells();
+  if (std::find(moving.begin(), moving.end(), 255) == moving.end()) return;
+  resting_ = stdc::find_resting(scene_, geometry_, {&recent_.front(), &recent_[recent_.size() / 2]}, frame,
+                                moving, segmented);
 }
 
 /// Looked through with room to spare: the map's own error counts too.
@@ -112,10 +125,17 @@ std::optional<PoseAgreement> MapMotion::agreement(const Pose& cam_from_world, Ma
   return agreement;
 }
 
+/// Whether the oldest view is younger than so many seconds.
+bool MapMotion::is_young(double timestamp, double seconds) const {
+  return scene_.empty() || timestamp - scene_.views().front().timestamp < seconds;
+}
+
 /// A view is worth its memory if it shows what no other has.
 void MapMotion::remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                          const std::vector<std::uint8_t>& segmented) {
-  constexpr double kMinGap = 0.4;  // [s]
+  // [s] At first, when little is known of the room, a view is due sooner: what comes in then while the camera
+  // turns must not be taken for a part of it.
+  constexpr double kMinGap = 0.4, kMinGapAtFirst = 0.1, kFirst = 1;
   constexpr double kUnknown = 0.06;
   int unknown = 0, with_depth = 0;
   for (std::size_t i = 0; i < findings.size(); ++i) {
@@ -124,12 +144,13 @@ void MapMotion::remember(const SceneFrame& frame, const std::vector<CellFinding>
     unknown += findings[i].seen ? 0 : 1;
   }
   const bool shows_more = unknown > kUnknown * with_depth;
-  const auto is_due = [&] { return frame.timestamp - scene_.views().back().timestamp >= kMinGap; };
+  const double gap = is_young(frame.timestamp, kFirst) ? kMinGapAtFirst : kMinGap;
+  const auto is_due = [&] { return frame.timestamp - scene_.views().back().timestamp >= gap; };
   if (!scene_.empty() && !(shows_more && is_due())) return;
   std::vector<float> rest(findings.size());
   std::vector<std::uint8_t> doubtful(findings.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    doubtful[i] = belief_.moves(i) || segmented[i] != 0 ? 1 : 0;
+    doubtful[i] = belief_.moves(i) || belief_.is_suspect(i) || segmented[i] != 0 ? 1 : 0;
     rest[i] = findings[i].rest;
   }
   scene_.add(frame, std::move(rest), std::move(doubtful));
@@ -210,6 +231,13 @@ cv::Mat MapMotion::mask() const {
   const std::vector<std::uint8_t> squares = squares_of_cells(moving_cells(), geometry_);
   return depth_.empty() ? draw_squares(squares, geometry_.scale(), camera_)
                         : mask_of_squares(squares, geometry_.scale(), camera_, depth_);
+}
+
+cv::Mat MapMotion::moving_now(const cv::Mat& mask) const {
+  if (std::find(resting_.begin(), resting_.end(), 1) == resting_.end()) return mask;
+  std::vector<std::uint8_t> cells = moving_cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = resting_[i] != 0 ? 0 : cells[i];
+  return mask_of_squares(squares_of_cells(cells, geometry_), geometry_.scale(), camera_, depth_);
 }
 
 cv::Mat MapMotion::doubtful() const {

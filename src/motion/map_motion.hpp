@@ -24,6 +24,7 @@ class MapMotion : public MotionDetector {
   std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map, const SmallFrame& small,
                                          const cv::Mat& depth, const cv::Mat& expected) const override;
   cv::Mat mask() const override;
+  cv::Mat moving_now(const cv::Mat& mask) const override;
   cv::Mat doubtful() const override;
 
   const StaticScene& scene() const { return scene_; }
@@ -35,6 +36,8 @@ class MapMotion : public MotionDetector {
   std::vector<std::uint8_t> moving_cells() const;
   std::vector<LandmarkId> find_gone(const SceneFrame& frame,
                                     const std::vector<MissingLandmark>& missing) const;
+  bool is_young(double timestamp, double seconds) const;
+  void find_resting(const SceneFrame& frame, const std::vector<std::uint8_t>& segmented);
   void remember(const SceneFrame& frame, const std::vector<CellFinding>& findings,
                 const std::vector<std::uint8_t>& segmented);
 
@@ -44,9 +47,12 @@ class MapMotion : public MotionDetector {
   StaticScene scene_;
   MotionBelief belief_;
   static constexpr std::size_t kLag = 5;  ///< [frames] between those compared for what recedes
+  static constexpr double kYoung = 3;     ///< [s] in which a map begins
+  static constexpr double kPause = 0.5;   ///< [s] after which a thing that has stopped is seen to stand
   std::optional<SceneFrame> last_;
-  std::deque<SceneFrame> recent_;
+  std::deque<SceneFrame> recent_;       ///< of the last kPause, and at least kLag frames
   std::vector<std::uint8_t> doubtful_;  ///< cells of the last frame that may move
+  std::vector<std::uint8_t> resting_;   ///< cells of the last frame that do not move at present, or empty
   cv::Mat depth_;
 };
 

@@ -118,6 +118,67 @@ TEST(MapMotion, ABoardThatSlidesInItsOwnPlaneDoesNotRest) {
   EXPECT_GT(f.overlap_with_panels(), 0.85);
 }
 
+// In the first frames the camera moves to the side and a board comes in there: of its front alone views know
+// that it stands where nothing stood, the rest is where nobody has looked before.
+TEST(MapMotion, WhatComesInFromWhereNobodyHasLookedMovesAsAWhole) {
+  Fixture f;
+  f.look_at_empty_wall(3);
+  for (int i = 0; i < 25; ++i) {
+    const Eigen::Vector3d centre(-0.04 * i, 0, 0);
+    f.run.scene.panels = {{-4, -0.9 + 0.02 * i, -1, 1, 1.4}};
+    f.run.see(centre);
+    if (i >= 6) {
+      EXPECT_GT(f.overlap_with_panels(centre), 0.85) << i;
+    }
+  }
+}
+
+TEST(MapMotion, WhatPausesDoesNotMoveNowButStaysMasked) {
+  Fixture f;
+  f.look_at_empty_wall(10);
+  for (int i = 0; i < 20; ++i) {
+    f.run.scene.panels = {board(-1.1 + 0.04 * i)};
+    f.run.see();
+  }
+  const auto moving_now = [&] {
+    return cv::countNonZero(f.motion.moving_now(f.motion.mask())) / (320.0 * 240.0);
+  };
+  EXPECT_GT(moving_now(), 0.05);
+  for (int i = 0; i < 20; ++i) f.run.see();
+  EXPECT_GT(f.overlap_with_panels(), 0.8) << "it may go on at any time";
+  EXPECT_LT(moving_now(), 0.005);
+  for (int i = 0; i < 4; ++i) {
+    f.run.scene.panels = {board(-0.34 + 0.04 * i)};
+    f.run.see();
+  }
+  EXPECT_GT(moving_now(), 0.05) << "it goes on";
+}
+
+TEST(MapMotion, BesideAHoleInTheDepthNothingIsFresh) {
+  Fixture f;
+  // A black screen before the wall: the sensor sees nothing of it, and later a rim that is a little wider.
+  f.run.scene.panels = {{-0.5, 0.5, -0.4, 0.4, 1.5}};
+  const cv::Mat screen = f.run.scene.panel_mask({});
+  for (int i = 0; i < 40; ++i) {
+    if (i == 10) f.run.scene.panels = {{-0.517, 0.517, -0.417, 0.417, 1.5}};
+    f.run.see({}, screen);
+    EXPECT_LT(f.dynamic_share(), 0.002) << i;
+  }
+}
+
+TEST(MapMotion, SaturatedPixelsDoNotSpeakAgainstAPose) {
+  Fixture f;
+  for (int i = 0; i < 10; ++i) f.run.see();
+  cv::Mat grey, depth, exposed;
+  f.run.scene.draw({0, 0, 0}, grey, depth);
+  grey.convertTo(exposed, CV_8UC1, 1.9);  // the brighter half is white now
+  SmallFrame small;
+  shrink_frame(exposed, depth, f.run.scene.camera.depth_units_per_metre, small);
+  const auto agreement = f.motion.agreement(Pose(), {0}, small, depth, {});
+  ASSERT_TRUE(agreement);
+  EXPECT_GT(agreement->looks, 0.8);
+}
+
 TEST(MapMotion, APoseThatIsFarOffDoesNotAgree) {
   Fixture f;
   f.run.scene.panels = {{-0.9, -0.3, -0.5, 0.5, 1.6}, {0.1, 0.6, -0.5, 0.2, 1.2}};

@@ -28,9 +28,11 @@ class MotionBelief {
   /// @param last, now      the two grids
   /// @param last_from_now  motion of the camera
   /// @param sources        of each cell
-  /// What was followed and has not moved like a thing at rest before this camera is more likely to move.
+  /// @param little_known   of the room as a whole: what no view tells anything about stays open then, see
+  /// smooth() What was followed and has not moved like a thing at rest before this camera is more likely to
+  /// move.
   void carry(const DepthGrid& last, const DepthGrid& now, const Pose& last_from_now,
-             const std::vector<CellSource>& sources);
+             const std::vector<CellSource>& sources, bool little_known = false);
   /// Adds what was found about each cell.
   void add(const std::vector<CellFinding>& findings);
   /// Adds the opinion of a segmenter: `dynamic` of each cell 0 or not, `weight` log-odds.
@@ -41,6 +43,10 @@ class MotionBelief {
   /// Nothing is known.
   void reset();
   bool moves(std::size_t cell) const { return log_odds_[cell] > kWeak; }
+  /// That it moves is more likely than not, but only its neighbours say so.
+  bool is_suspect(std::size_t cell) const {
+    return little_known_ && cell < unknown_.size() && unknown_[cell] != 0 && log_odds_[cell] > 0;
+  }
   bool moves_surely(std::size_t cell) const { return log_odds_[cell] > kSure; }
   const std::vector<float>& log_odds() const { return log_odds_; }
 
@@ -48,12 +54,16 @@ class MotionBelief {
   static constexpr float kSure = 1.5F, kWeak = 0.3F;
 
  private:
+  void join_unknown(const DepthGrid& now);
   void fill_unknown(const DepthGrid& now);
 
   const GridGeometry& geometry_;
   MotionSettings settings_;
+  bool little_known_ = false;
   std::vector<float> log_odds_;
-  std::vector<std::uint8_t> unknown_;  ///< of each cell: 1 if nothing at all is known of its surface
+  // Of a cell about whose surface no view has told anything so far (else 0): 1, or where its belief is from.
+  static constexpr std::uint8_t kFilled = 2, kTakenOver = 3, kVisited = 4;
+  std::vector<std::uint8_t> unknown_;
 };
 
 }  // namespace stdc

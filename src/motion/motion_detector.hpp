@@ -64,8 +64,12 @@ class MotionDetector {
   }
   /// What moves in the frame observed last: CV_8UC1 of the camera's size, 255 = dynamic.
   virtual cv::Mat mask() const = 0;
-  /// The same and all that may move, of which no landmarks are to be made: on what has just come into view
-  /// it takes some frames to be sure.
+  /// The same without what stands still at present. It may go on at any time, so that it is no part of the
+  /// scene yet; but who asks what moves in this frame does not want it.
+  /// @param mask  what mask() gives
+  virtual cv::Mat moving_now(const cv::Mat& mask) const { return mask; }
+  /// What mask() gives and all that may move, of which no landmarks are to be made: on what has just come
+  /// into view it takes some frames to be sure.
   virtual cv::Mat doubtful() const { return mask(); }
 };
 

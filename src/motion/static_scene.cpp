@@ -29,6 +29,22 @@ void find_brightness_range(const GridGeometry& geometry, SceneView& view) {
   }
 }
 
+/// What stands in a hole of the depth nobody knows: it may be nearer than all around it, as the rim of a
+/// black screen is.
+void find_holes(const GridGeometry& geometry, SceneView& view) {
+  view.beside_hole.assign(view.grid.depth.size(), 0);
+  for (int y = 0; y < geometry.height(); ++y) {
+    for (int x = 0; x < geometry.width(); ++x) {
+      if (view.grid.depth[geometry.index(x, y)] != 0) continue;
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, geometry.height() - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, geometry.width() - 1); ++u) {
+          view.beside_hole[geometry.index(u, v)] = 1;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void StaticScene::follow(const AtlasSnapshot& snapshot) {
@@ -97,7 +113,7 @@ std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) const {
       // At the outline of a thing the cell beside it may be the one that is seen there.
       const float behind = there * frame.grid.far[static_cast<std::size_t>(cell)] / depth;
       if (behind < view.grid.near[i] - tolerated) {
-        ++finding.fresh;
+        finding.fresh += view.beside_hole[i] == 0 ? 1 : 0;
       } else if (there > view.grid.near[i] - tolerated && there < view.grid.far[i] + tolerated) {
         finding.seen = true;
         finding.known += view.doubtful[i] == 0 ? 1 : 0;
@@ -157,6 +173,8 @@ StaticScene::Agreement StaticScene::agreement(const std::vector<Sample>& samples
         found[s] |= kFresh;
       } else if (there < view.grid.far[i] + tolerance(there)) {
         found[s] |= kKnown;
+        constexpr int kSaturated = 240;  // tells nothing when the exposure has changed
+        if (samples[s].grey >= kSaturated || view.grid.grey[i] >= kSaturated) continue;
         pairs.emplace_back(static_cast<int>(s), seen);
         now += samples[s].grey;
         then += view.grid.grey[i];
@@ -189,6 +207,7 @@ void StaticScene::add(const SceneFrame& frame, std::vector<float> rest, std::vec
   view.map = frame.map;
   view.grid = frame.grid;
   find_brightness_range(geometry_, view);
+  find_holes(geometry_, view);
   view.rest = std::move(rest);
   view.doubtful = std::move(doubtful);
   views_.push_back(std::move(view));

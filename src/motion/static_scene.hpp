@@ -19,6 +19,7 @@ struct SceneView {
   DepthGrid grid;
   std::vector<float> rest;  ///< of each cell: time for which its surface has been seen at rest [s]
   std::vector<std::uint8_t> darkest, brightest;  ///< of each cell: of the 3 x 3 cells around it
+  std::vector<std::uint8_t> beside_hole;         ///< of each cell: 1 if one of those 3 x 3 cells has no depth
   std::vector<std::uint8_t> doubtful;  ///< of each cell: 1 if its surface was thought to move at that time
   Pose view_from_world;                ///< as known now
   MapId map;                           ///< as known now

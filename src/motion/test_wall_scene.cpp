@@ -83,11 +83,12 @@ cv::Mat WallScene::panel_mask(const Eigen::Vector3d& centre) const {
   return mask;
 }
 
-void WallRun::see(const Eigen::Vector3d& centre) {
+void WallRun::see(const Eigen::Vector3d& centre, const cv::Mat& hole) {
   MotionFrame input;
   input.number = frame;
   input.timestamp = frame / 30.0;
   scene.draw(centre, input.grey, input.depth);
+  if (!hole.empty()) input.depth.setTo(0, hole);
   input.motion = CameraMotion(scene.camera, Vector6d::Zero());
   input.cam_from_world = Pose(Eigen::Quaterniond::Identity(), -centre);
   input.trusted = true;

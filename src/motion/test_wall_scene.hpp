@@ -35,8 +35,8 @@ struct WallRun {
   std::vector<LandmarkId> gone;
 
   explicit WallRun(MotionDetector& motion_detector) : detector(motion_detector) {}
-  /// One frame, from a camera at `centre`.
-  void see(const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
+  /// One frame, from a camera at `centre`; without depth where `hole` is not 0.
+  void see(const Eigen::Vector3d& centre = Eigen::Vector3d::Zero(), const cv::Mat& hole = {});
 };
 
 }  // namespace stdc::test

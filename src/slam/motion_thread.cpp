@@ -46,6 +46,7 @@ void MotionThread::observe(MotionFrame frame) {
     const std::vector<LandmarkId> gone = motion_->observe(frame, propagator_.newest(), propagator_.tiles());
     gone_.insert(gone_.end(), gone.begin(), gone.end());
     found_ = motion_->mask();
+    moving_now_ = motion_->moving_now(found_);
     propagator_.set_mask(frame_, found_);
     milliseconds_ = carrying_ms_ + watch.lap_ms();
   });
@@ -54,6 +55,11 @@ void MotionThread::observe(MotionFrame frame) {
 cv::Mat MotionThread::doubtful() {
   worker_.wait();
   return motion_->doubtful();
+}
+
+const cv::Mat& MotionThread::moving_now() {
+  worker_.wait();
+  return moving_now_;
 }
 
 const cv::Mat& MotionThread::found() {

@@ -35,7 +35,9 @@ class MotionThread {
   void observe(MotionFrame frame);
   /// What does, waiting for it; like expected().
   const cv::Mat& found();
-  /// The same and all that may move, of which no landmarks are to be made.
+  /// The same without what stands still at present.
+  const cv::Mat& moving_now();
+  /// What found() gives and all that may move, of which no landmarks are to be made.
   cv::Mat doubtful();
   /// Share of what is known of the static scene that a pose of the present frame explains; see MotionReport.
   /// After expected(), before observe().
@@ -50,7 +52,7 @@ class MotionThread {
   std::unique_ptr<MotionDetector> motion_;
   MaskPropagator propagator_;
   cv::Mat grey_, depth_;
-  cv::Mat expected_, found_;
+  cv::Mat expected_, found_, moving_now_;
   int frame_ = 0;
   std::vector<LandmarkId> gone_;
   double carrying_ms_ = 0, milliseconds_ = 0;

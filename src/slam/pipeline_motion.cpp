@@ -97,7 +97,7 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
 /// All that is known of what moves in the present frame, once the tracker is done with it.
 cv::Mat Pipeline::dynamic_mask() {
   if (!motion_) return segmented_;
-  const cv::Mat& moving = motion_->found();
+  const cv::Mat& moving = motion_->moving_now();
   // `map` has taken the segmenter's opinion in, and draws the outlines better.
   const bool has_both = segmented_.empty() || settings_.motion.method == MotionMethod::map;
   return has_both ? moving : cv::Mat(segmented_ | moving);
