@@ -73,6 +73,8 @@ class FrameSource {
   virtual bool can_rewind() const { return true; }
   /// How many frames next() gives in all; nothing if that is not known before the end.
   virtual std::optional<int> frame_count() const = 0;
+  /// About how many, for a progress bar.
+  virtual std::optional<int> expected_frame_count() const { return frame_count(); }
 
   /// The cameras as the source knows them; nothing if it does not.
   virtual std::optional<RgbdCameras> cameras() const = 0;
@@ -80,6 +82,8 @@ class FrameSource {
   virtual std::string camera_hint() const { return "give a camera file with --camera"; }
   /// The true trajectory; nothing if the source has none. Throws Error if it is there but cannot be read.
   virtual std::optional<GroundTruth> ground_truth() const { return std::nullopt; }
+  /// Whether ground_truth() goes through the whole input unless it is called when next() has reached the end.
+  virtual bool truth_comes_last() const { return false; }
   /// Where a ground truth is, or would be, for messages.
   virtual std::string truth_where() const { return where(); }
 

@@ -88,6 +88,10 @@ Camera camera_of_info(const CameraInfoMessage& info, bool rectified, const std::
   if (!rectified) set_lens(info, camera, where);
   // K and P are those of the whole sensor without binning; a pixel's middle lies at a whole number.
   const bool has_region = info.roi_width > 0 && info.roi_height > 0;
+  if (has_region && (std::uint64_t{info.roi_x} + info.roi_width > info.width ||
+                     std::uint64_t{info.roi_y} + info.roi_height > info.height)) {
+    throw Error(where, "its region of interest lies outside the image", kHint);
+  }
   if (has_region) camera.cx -= info.roi_x, camera.cy -= info.roi_y;
   const double binning_x = std::max(info.binning_x, 1U), binning_y = std::max(info.binning_y, 1U);
   camera.fx /= binning_x, camera.fy /= binning_y;

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string_view>
 
 #include "input/recordings/byte_reader.hpp"
+#include "input/recordings/recording.hpp"
 
 namespace stdc::mcap {
 
@@ -39,5 +40,8 @@ inline Record read_record_head(ByteReader& reader) {
   record.size = reader.number<std::uint64_t>();
   return record;
 }
+
+/// A time beyond the year 2262 is none.
+inline LogTime log_time(ByteReader& reader) { return static_cast<LogTime>(reader.number<std::uint64_t>()); }
 
 }  // namespace stdc::mcap

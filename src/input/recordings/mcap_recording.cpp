@@ -8,18 +8,13 @@
 
 #include "core/error.hpp"
 #include "input/recordings/decompression.hpp"
-#include "input/recordings/mcap_format.hpp"
+#include "input/recordings/mcap_scan.hpp"
 
 namespace stdc {
 namespace {
 
 using mcap::Op;
 using mcap::Record;
-
-constexpr std::uint64_t kMaxSmallRecord = 16U << 20U;  // schemas and channels: text
-
-/// Texts of MCAP are "\x01" and the like too; a time beyond the year 2262 is no time.
-LogTime log_time(ByteReader& reader) { return static_cast<LogTime>(reader.number<std::uint64_t>()); }
 
 Serialisation serialisation_of(std::string_view encoding) {
   if (encoding == "cdr") return Serialisation::cdr;
@@ -30,8 +25,8 @@ Serialisation serialisation_of(std::string_view encoding) {
 Chunk read_chunk_index(Bytes bytes) {
   ByteReader reader(bytes);
   Chunk chunk;
-  chunk.first = log_time(reader);
-  chunk.last = log_time(reader);
+  chunk.first = mcap::log_time(reader);
+  chunk.last = mcap::log_time(reader);
   chunk.offset = reader.number<std::uint64_t>();
   chunk.size = reader.number<std::uint64_t>();
   std::set<std::uint64_t> channels;
@@ -46,6 +41,26 @@ Chunk read_chunk_index(Bytes bytes) {
   return chunk;
 }
 
+struct Statistics {
+  std::uint64_t messages = 0, chunks = 0;
+  std::vector<std::pair<std::uint16_t, std::uint64_t>> counts;  ///< of messages, by channel
+};
+
+Statistics read_statistics(Bytes bytes) {
+  ByteReader reader(bytes);
+  Statistics statistics;
+  statistics.messages = reader.number<std::uint64_t>();
+  reader.bytes(2 + 4 + 4 + 4);  // how many schemas, channels, attachments, metadata
+  statistics.chunks = reader.number<std::uint32_t>();
+  reader.bytes(16);  // first and last time
+  ByteReader list(reader.bytes(reader.number<std::uint32_t>()));
+  while (list.left() > 0 && list.ok()) {
+    const auto channel = list.number<std::uint16_t>();
+    statistics.counts.emplace_back(channel, list.number<std::uint64_t>());
+  }
+  return statistics;
+}
+
 }  // namespace
 
 bool is_mcap(Bytes beginning) { return ByteReader(beginning).text(mcap::kMagic.size()) == mcap::kMagic; }
@@ -57,7 +72,7 @@ McapRecording::McapRecording(std::unique_ptr<ByteStore> bytes, const std::string
     throw Error(where, "does not begin as an MCAP file does", "give an .mcap, .bag or .db3 recording");
   }
   std::vector<Chunk> chunks;
-  if (!read_summary(chunks)) scan(chunks);
+  if (!read_summary(chunks)) chunks = scan();
   finish_opening(std::move(chunks));
 }
 
@@ -109,103 +124,44 @@ bool McapRecording::read_summary(std::vector<Chunk>& chunks) {
 }
 
 bool McapRecording::read_summary_records(Bytes summary, std::vector<Chunk>& chunks) {
-  std::uint64_t messages = 0, indexed = 0, stated_chunks = 0;
-  std::vector<std::pair<std::uint16_t, std::uint64_t>> counts;
+  std::optional<Statistics> statistics;
   ByteReader reader(summary);
   while (reader.left() > 0) {
     const Record record = mcap::read_record_head(reader);
     const Bytes content = reader.bytes(record.size);
-    if (!reader.ok()) return false;
+    if (!reader.ok()) {
+      chunks.clear();
+      return false;
+    }
     if (record.op == Op::schema) add_schema(content);
     if (record.op == Op::channel) add_channel(content);
-    if (record.op == Op::chunk_index) chunks.push_back(read_chunk_index(content)), ++indexed;
-    if (record.op == Op::statistics) {
-      ByteReader statistics(content);
-      messages = statistics.number<std::uint64_t>();
-      statistics.bytes(2 + 4 + 4 + 4);
-      stated_chunks = statistics.number<std::uint32_t>();
-      statistics.bytes(16);
-      ByteReader list(statistics.bytes(statistics.number<std::uint32_t>()));
-      while (list.left() > 0 && list.ok()) {
-        const auto channel = list.number<std::uint16_t>();
-        counts.emplace_back(channel, list.number<std::uint64_t>());
-      }
-    }
+    if (record.op == Op::chunk_index) chunks.push_back(read_chunk_index(content));
+    if (record.op == Op::statistics) statistics = read_statistics(content);
   }
   // Without chunks the messages stand in the file by themselves, and a writer may leave the chunks' index
   // out.
-  if (indexed == 0 ? messages > 0 || counts.empty() : stated_chunks > indexed) {
+  const bool complete = chunks.empty() ? statistics && statistics->messages == 0
+                                       : !statistics || statistics->chunks <= chunks.size();
+  if (!complete) {
     chunks.clear();
     ends_well_ = true;
     return false;
   }
-  for (const auto& [channel, count] : counts) table().count(channel, count);
+  if (!statistics) return true;
+  for (const auto& [channel, count] : statistics->counts) table().count(channel, count);
   return true;
 }
 
-void McapRecording::scan(std::vector<Chunk>& chunks) {
-  constexpr std::uint64_t kLooseBytes = 4U << 20U;  // messages without a chunk are read in parts of this size
-  std::vector<std::uint8_t> bytes;
-  std::uint64_t at = mcap::kMagic.size();
-  bool loose = false;  // the last chunk is made of messages that stand in the file by themselves
-  for (;;) {
-    if (!file().read(at, mcap::kRecordHead, bytes)) {
-      add_fault(fmt::format(
-          "ends at byte {} without an index, as if the recorder had been stopped; what was recorded is read",
-          file().size()));
-      return;
-    }
-    ByteReader head(bytes);
-    const Record record = mcap::read_record_head(head);
-    const std::uint64_t content = at + mcap::kRecordHead;
-    if (record.op == Op::data_end || record.op == Op::footer) {
-      if (!ends_well_) add_fault("its index is cut off or damaged; its messages are all there");
-      return;
-    }
-    const bool whole = record.size <= file().size() - content;
-    const std::uint64_t end = whole ? content + record.size : file().size();
-    if (record.op == Op::chunk) {
-      chunks.push_back({0, 0, at, end - at, std::nullopt, whole, true});
-      if (file().read(content, 16, bytes)) {
-        ByteReader times(bytes);
-        chunks.back().first = log_time(times);
-        chunks.back().last = log_time(times);
-      }
-      loose = false;
-    } else if (!whole) {
-      add_fault(fmt::format("ends within the record at byte {}; it is read up to there", at));
-      return;
-    } else if (record.op == Op::message_index && !chunks.empty() && !loose) {
-      if (file().read(content, 6, bytes)) {
-        ByteReader index(bytes);
-        const auto channel = index.number<std::uint16_t>();
-        if (!chunks.back().channels) chunks.back().channels.emplace();
-        if (index.number<std::uint32_t>() > 0) chunks.back().channels->insert(channel);
-      }
-    } else if (record.op == Op::message && file().read(content, mcap::kMessageHead, bytes)) {
-      ByteReader message(bytes);
-      const auto channel = message.number<std::uint16_t>();
-      message.number<std::uint32_t>();
-      const LogTime time = log_time(message);
-      if (!loose || chunks.back().size > kLooseBytes) {
-        chunks.push_back({time, time, at, 0, std::set<std::uint64_t>(), true, false});
-      }
-      Chunk& part = chunks.back();
-      part.first = std::min(part.first, time), part.last = std::max(part.last, time);
-      part.channels->insert(channel);
-      part.size = end - part.offset;
-      loose = true;
-    } else if (record.op == Op::schema || record.op == Op::channel) {
-      if (record.size <= kMaxSmallRecord && file().read(content, record.size, bytes)) {
-        record.op == Op::schema ? add_schema(bytes) : add_channel(bytes);
-      }
-    }
-    if (!whole) {
-      add_fault(fmt::format("ends within the chunk at byte {}; it is read as far as it goes", at));
-      return;
-    }
-    at = end;
+std::vector<Chunk> McapRecording::scan() {
+  McapScan scan(file(),
+                [this](Op op, Bytes record) { op == Op::schema ? add_schema(record) : add_channel(record); });
+  scan.run();
+  if (!scan.fault().empty()) {
+    add_fault(scan.fault());
+  } else if (!ends_well_) {
+    add_fault("its index is cut off or damaged; its messages are all there");
   }
+  return scan.take_chunks();
 }
 
 void McapRecording::unpack(const Chunk& chunk, ChunkContent& content) {
@@ -259,7 +215,7 @@ void McapRecording::walk(const Chunk& chunk, ChunkContent& content) {
     const auto channel = message.number<std::uint16_t>();
     message.number<std::uint32_t>();
     content.messages.push_back(
-        {log_time(message), channel, at + mcap::kMessageHead, bytes.size() - mcap::kMessageHead});
+        {mcap::log_time(message), channel, at + mcap::kMessageHead, bytes.size() - mcap::kMessageHead});
   }
 }
 

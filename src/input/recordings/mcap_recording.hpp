@@ -18,7 +18,7 @@ class McapRecording : public ChunkedRecording {
   void load(const Chunk& chunk, ChunkContent& content) override;
   bool read_summary(std::vector<Chunk>& chunks);
   bool read_summary_records(Bytes summary, std::vector<Chunk>& chunks);
-  void scan(std::vector<Chunk>& chunks);
+  std::vector<Chunk> scan();
   void unpack(const Chunk& chunk, ChunkContent& content);
   void walk(const Chunk& chunk, ChunkContent& content);
   void add_schema(Bytes record);

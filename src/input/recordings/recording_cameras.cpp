@@ -8,9 +8,18 @@
 #include "core/error.hpp"
 #include "input/recordings/camera_of_info.hpp"
 #include "input/recordings/ros_messages.hpp"
+#include "input/recordings/topic_names.hpp"
 
 namespace stdc {
 namespace {
+
+/// What a camera was asked for, not what a few stamps that jitter make of it [Hz].
+double nominal_rate(double measured) {
+  for (const double usual : {5, 6, 10, 15, 20, 25, 30, 60, 90}) {
+    if (std::abs(measured - usual) < 0.08 * usual) return usual;
+  }
+  return std::max(1.0, std::round(measured));
+}
 
 class CameraFinder {
  public:
@@ -47,8 +56,7 @@ class CameraFinder {
     if (!info) throw Error(where, "the message is damaged", "give a camera file with --camera");
     Camera camera = camera_of_info(*info, is_rectified(image.name), where);
     camera.depth_units_per_metre = depth_units();
-    // Whole numbers: what a camera was asked for, not what its clock makes of it.
-    if (const auto rate = rate_of(image)) camera.frames_per_second = std::max(1.0, std::round(*rate));
+    if (const auto rate = rate_of(image)) camera.frames_per_second = nominal_rate(*rate);
     return camera;
   }
 

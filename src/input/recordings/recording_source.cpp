@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "input/recordings/forward_stamps.hpp"
 #include "input/recordings/open_recording.hpp"
 #include "input/recordings/packed_messages.hpp"
 #include "input/recordings/recording_cameras.hpp"
@@ -26,28 +27,28 @@ constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20U;
 /// Colour images in a row without depth, after which there is no hope if there never was a pair.
 constexpr int kHopeless = 100;
 
+/// A little more than half a period: two cameras that are not triggered together jitter about the middle.
 std::int64_t tolerance_of(const ImageSample& colour) {
   constexpr double kDefaultRate = 30, kMax = 50e6;  // [Hz], [ns]
-  return static_cast<std::int64_t>(std::min(0.5e9 / rate_of(colour).value_or(kDefaultRate), kMax));
+  return static_cast<std::int64_t>(std::min(0.6e9 / rate_of(colour).value_or(kDefaultRate), kMax));
 }
 
-/// Lets through what comes later than the last of its topic, and counts what does not.
-class ForwardStamps {
- public:
-  bool passes(std::int64_t stamp) {
-    if (last_ && stamp <= *last_) {
-      ++left_out_;
-      return false;
-    }
-    last_ = stamp;
-    return true;
-  }
-  int left_out() const { return left_out_; }
-
- private:
-  std::optional<std::int64_t> last_;
-  int left_out_ = 0;
-};
+/// Throws Error if the stamps of both cannot be of one clock.
+void check_clocks(const std::string& where, const ImageSample& colour, const ImageSample& depth) {
+  constexpr std::int64_t kMax =
+      2'000'000'000;  // [ns]: drivers and networks delay messages, but not that long
+  const std::int64_t colour_delay = colour.log_time - colour.stamp,
+                     depth_delay = depth.log_time - depth.stamp;
+  if (std::abs(colour_delay - depth_delay) < kMax) return;
+  throw Error(
+      where,
+      fmt::format(
+          "the stamps of {} and {} have no common clock: they are {:.3f} s apart for images that were "
+          "recorded {:.3f} s apart",
+          colour.name, depth.name, 1e-9 * static_cast<double>(depth.stamp - colour.stamp),
+          1e-9 * static_cast<double>(depth.log_time - colour.log_time)),
+      "record with one clock for both, or choose other topics by --color and --depth");
+}
 
 class RecordingSource : public FrameSource {
  public:
@@ -58,13 +59,18 @@ class RecordingSource : public FrameSource {
     const ImageSample& colour = *survey.find(topic(choice_.colour).name);
     const ImageSample& depth = *survey.find(topic(choice_.depth).name);
     use_log_times_ = colour.stamp == 0 || depth.stamp == 0;
-    check_clocks(colour, depth);
+    if (!use_log_times_) check_clocks(where(), colour, depth);
     tolerance_ = use_log_times_ ? 25'000'000 : tolerance_of(colour);
     found_ = find_cameras(*recording_, survey, choice_);
     colour_frame_ = colour.frame;
     colour_topic_ = image_topic(colour);
     depth_topic_ = image_topic(depth);
-    describe(survey);
+    notes_ = found_.notes;
+    notes_.push_back(fmt::format("{}: colour from {}, depth from {}", where(), colour.name, depth.name));
+    if (use_log_times_) {
+      notes_.push_back(where() + ": the headers carry no stamps; the times of recording are taken");
+    }
+    streams_ = streams_of(*recording_, survey, choice_);
     rewind();
   }
 
@@ -99,6 +105,12 @@ class RecordingSource : public FrameSource {
   /// How many pairs there are is known when the last one was made.
   std::optional<int> frame_count() const override { return std::nullopt; }
 
+  std::optional<int> expected_frame_count() const override {
+    const auto colour = topic(choice_.colour).count, depth = topic(choice_.depth).count;
+    if (!colour || !depth) return std::nullopt;
+    return static_cast<int>(std::min({*colour, *depth, std::uint64_t{1'000'000'000}}));
+  }
+
   std::optional<RgbdCameras> cameras() const override { return found_.cameras; }
   std::string camera_hint() const override { return found_.hint; }
 
@@ -111,6 +123,7 @@ class RecordingSource : public FrameSource {
     if (collected) return truth_.trajectory(read_transforms(*recording), colour_frame_);
     return read_recorded_truth(*recording, *choice_.truth, colour_frame_);
   }
+  bool truth_comes_last() const override { return choice_.truth.has_value(); }
   std::string truth_where() const override {
     return choice_.truth ? fmt::format("{} ({})", where(), topic(*choice_.truth).name) : where();
   }
@@ -144,23 +157,6 @@ class RecordingSource : public FrameSource {
   std::shared_ptr<const ImageTopic> image_topic(const ImageSample& sample) const {
     return std::make_shared<ImageTopic>(
         ImageTopic{where(), sample.name, topic(sample.topic).serialisation, sample.compressed});
-  }
-
-  void check_clocks(const ImageSample& colour, const ImageSample& depth) const {
-    constexpr std::int64_t kMax =
-        2'000'000'000;  // [ns]: drivers and networks delay messages, but not that long
-    if (use_log_times_) return;
-    const std::int64_t colour_delay = colour.log_time - colour.stamp,
-                       depth_delay = depth.log_time - depth.stamp;
-    if (std::abs(colour_delay - depth_delay) < kMax) return;
-    throw Error(
-        where(),
-        fmt::format(
-            "the stamps of {} and {} have no common clock: they are {:.3f} s apart for images that were "
-            "recorded {:.3f} s apart",
-            colour.name, depth.name, 1e-9 * static_cast<double>(depth.stamp - colour.stamp),
-            1e-9 * static_cast<double>(depth.log_time - colour.log_time)),
-        "record with one clock for both, or choose other topics by --color and --depth");
   }
 
   [[noreturn]] void throw_no_pair() const {
@@ -232,29 +228,6 @@ class RecordingSource : public FrameSource {
     imu_.erase(imu_.begin(), later);
     frame.images = pack_images(std::move(packed_colour), {depth_topic_, std::move(depth.data), depth.stamp});
     return frame;
-  }
-
-  void describe(const RecordingSurvey& survey) {
-    notes_ = found_.notes;
-    notes_.push_back(fmt::format("{}: colour from {}, depth from {}", where(), topic(choice_.colour).name,
-                                 topic(choice_.depth).name));
-    if (use_log_times_) {
-      notes_.push_back(where() + ": the headers carry no stamps; the times of recording are taken");
-    }
-    for (std::size_t i = 0; i < recording_->topics().size(); ++i) {
-      const RecordedTopic& recorded = recording_->topics()[i];
-      const int index = static_cast<int>(i);
-      StreamInfo info{recorded.name, recorded.type, std::nullopt, false};
-      if (const ImageSample* sample = survey.find(recorded.name)) {
-        info.content = fmt::format("{}, {} x {}", sample->encoding, sample->size.width, sample->size.height);
-      }
-      if (recorded.count)
-        info.count = static_cast<int>(std::min<std::uint64_t>(*recorded.count, 1'000'000'000));
-      info.used = index == choice_.colour || index == choice_.depth || choice_.colour_info == index ||
-                  (choice_.depth_info == index && found_.cameras && found_.cameras->depth) ||
-                  choice_.imu == index || choice_.truth == index;
-      streams_.push_back(std::move(info));
-    }
   }
 
   std::function<std::unique_ptr<Recording>()> open_;

@@ -3,67 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "input/recordings/ros_messages.hpp"
+#include "input/recordings/topic_names.hpp"
 
 namespace stdc {
 namespace {
 
 using Samples = std::vector<const ImageSample*>;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-template <std::size_t n>
-bool has_any(const std::string& name, const std::array<const char*, n>& parts) {
-  const std::string text = lower(name);
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const char* part) { return text.find(part) != std::string::npos; });
-}
-
-/// The picture's topic without what a transport puts behind it.
-std::string base_of(const std::string& topic) {
-  for (const std::string_view end : {"/compressed", "/compressedDepth"}) {
-    if (topic.ends_with(end)) return topic.substr(0, topic.size() - end.size());
-  }
-  return topic;
-}
-
-std::string leaf_of(const std::string& topic) { return topic.substr(topic.rfind('/') + 1); }
-
-/// How many names two topics share from the start on.
-int shared_names(const std::string& a, const std::string& b) {
-  int shared = 0;
-  std::size_t i = 0;
-  for (; i < a.size() && i < b.size() && a[i] == b[i]; ++i) shared += a[i] == '/';
-  const bool whole = (i == a.size() || a[i] == '/') && (i == b.size() || b[i] == '/');
-  return whole ? shared + 1 : shared;
-}
-
 bool shows_depth(const ImageSample& sample) {
-  if (has_any(sample.name, std::array{"confidence", "disparity", "variance"})) return false;
-  if (sample.meaning == PixelMeaning::depth) return true;
-  return sample.meaning == PixelMeaning::sixteen_bits &&
-         !has_any(sample.name, std::array{"infra", "/ir/", "_ir", "thermal"});
+  if (is_named_confidence(sample.name)) return false;
+  return sample.meaning == PixelMeaning::depth ||
+         (sample.meaning == PixelMeaning::sixteen_bits && !is_named_infrared(sample.name));
 }
 
 bool shows_colour(const ImageSample& sample) {
-  if (sample.meaning != PixelMeaning::colour && sample.meaning != PixelMeaning::grey) return false;
-  // Pictures for people, made of others.
-  return !has_any(sample.name,
-                  std::array{"depth", "disparity", "debug", "mask", "segment", "overlay", "confidence"});
-}
-
-bool named_registered(const ImageSample& sample) {
-  return has_any(sample.name,
-                 std::array{"aligned_depth_to_color", "depth_registered", "depth_to_color", "depth_to_rgb",
-                            "registered_depth", "depth_aligned", "aligned_depth"});
+  return (sample.meaning == PixelMeaning::colour || sample.meaning == PixelMeaning::grey) &&
+         !is_named_visualisation(sample.name);
 }
 
 /// Keeps those for which a value is greatest.
@@ -75,20 +35,11 @@ void keep_best(Samples& samples, const Value& value) {
   std::erase_if(samples, [&](const ImageSample* sample) { return value(*sample) < best; });
 }
 
-/// Of several topics of one camera that show the same picture, how good a name is.
-int name_rank(const ImageSample& sample) {
-  const std::string leaf = leaf_of(base_of(sample.name));
-  constexpr std::array kNames{"image_rect", "image_rect_color", "image_rect_raw", "data",
-                              "image",      "image_raw",        "image_color"};
-  const auto* found = std::find(kNames.begin(), kNames.end(), leaf);
-  return found == kNames.end() ? -1 : static_cast<int>(found - kNames.begin());
-}
-
 /// Of each camera only its best topic: raw before compressed.
 Samples best_of_each_camera(const Samples& samples) {
+  const auto rank = [](const ImageSample* s) { return std::pair(rank_of_name(s->name), !s->compressed); };
   Samples best;
   for (const ImageSample* sample : samples) {
-    const auto rank = [](const ImageSample* s) { return std::pair(name_rank(*s), !s->compressed); };
     const auto same = std::find_if(best.begin(), best.end(), [&](const ImageSample* other) {
       return camera_of_topic(other->name) == camera_of_topic(sample->name);
     });
@@ -118,7 +69,7 @@ class Chooser {
     TopicChoice choice;
     choice.colour = colour.topic;
     choice.depth = depth.topic;
-    choice.depth_is_registered = named_registered(depth);
+    choice.depth_is_registered = is_named_registered(depth.name);
     choice.colour_info = choose_info(colour, options_.colour_info_topic, "--info");
     choice.depth_info = choose_info(depth, options_.depth_info_topic, "--depth-info");
     choice.imu = choose_imu();
@@ -199,7 +150,7 @@ class Chooser {
     const std::string camera = camera_of_topic(colour.name);
     keep_best(samples,
               [&](const ImageSample& sample) { return shared_names(camera_of_topic(sample.name), camera); });
-    keep_best(samples, [](const ImageSample& sample) { return named_registered(sample); });
+    keep_best(samples, [](const ImageSample& sample) { return is_named_registered(sample.name); });
     keep_best(samples, [&](const ImageSample& sample) {
       return sample.size == colour.size && sample.frame == colour.frame;
     });
@@ -272,14 +223,13 @@ class Chooser {
         if (is_pose_type(type) || is_transforms_type(type)) return found;
       }
       fail(fmt::format("has no topic {} with poses", options_.truth_topic),
-           "give another --truth, of PoseStamped, Odometry, TransformStamped or TFMessage");
+           "give another --truth-topic, of PoseStamped, Odometry, TransformStamped or TFMessage");
     }
     std::optional<int> only;
     for (std::size_t i = 0; i < recording_.topics().size(); ++i) {
       const RecordedTopic& topic = recording_.topics()[i];
-      const bool named_so = has_any(topic.name, std::array{"groundtruth", "ground_truth", "/gt", "vicon",
-                                                           "mocap", "optitrack", "qualisys"});
-      if (!is_pose_type(topic.type) || !named_so || topic.count == std::uint64_t{0}) continue;
+      if (!is_pose_type(topic.type) || !is_named_truth(topic.name) || topic.count == std::uint64_t{0})
+        continue;
       if (only) return std::nullopt;
       only = static_cast<int>(i);
     }
@@ -292,16 +242,6 @@ class Chooser {
 };
 
 }  // namespace
-
-std::string camera_of_topic(const std::string& topic) {
-  std::string base = base_of(topic);
-  constexpr std::string_view kRealSense = "/image/data";
-  if (base.ends_with(kRealSense)) return base.substr(0, base.size() - kRealSense.size());
-  const std::size_t slash = base.rfind('/');
-  return slash == std::string::npos ? "" : base.substr(0, slash);
-}
-
-bool is_rectified(const std::string& topic) { return leaf_of(base_of(topic)).starts_with("image_rect"); }
 
 TopicChoice choose_topics(const Recording& recording, const RecordingSurvey& survey,
                           const SourceOptions& options) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "input/frame_source.hpp"
 #include "input/recordings/recording_survey.hpp"
 #include "input/source_options.hpp"
 
@@ -24,10 +25,8 @@ struct TopicChoice {
 TopicChoice choose_topics(const Recording& recording, const RecordingSurvey& survey,
                           const SourceOptions& options);
 
-/// "/camera/color" of "/camera/color/image_raw/compressed", "/device_0/sensor_1/Color_0" of RealSense's
-/// ".../Color_0/image/data".
-std::string camera_of_topic(const std::string& topic);
-/// Whether a topic's name says that its images have been undistorted.
-bool is_rectified(const std::string& topic);
+/// All topics, for people: those of images with encoding and size, and which are used.
+std::vector<StreamInfo> streams_of(const Recording& recording, const RecordingSurvey& survey,
+                                   const TopicChoice& choice);
 
 }  // namespace stdc
