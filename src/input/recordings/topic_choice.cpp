@@ -223,7 +223,7 @@ class Chooser {
         if (is_pose_type(type) || is_transforms_type(type)) return found;
       }
       fail(fmt::format("has no topic {} with poses", options_.truth_topic),
-           "give another --truth-topic, of PoseStamped, Odometry, TransformStamped or TFMessage");
+           "give another --truth, of PoseStamped, Odometry, TransformStamped or TFMessage");
     }
     std::optional<int> only;
     for (std::size_t i = 0; i < recording_.topics().size(); ++i) {
