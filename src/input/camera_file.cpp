@@ -271,7 +271,8 @@ std::string format_cameras(const RgbdCameras& cameras) {
   return text + fmt::format("  quaternion: [{}, {}, {}, {}]\n", q.x(), q.y(), q.z(), q.w());
 }
 
-// The calibrations published with the TUM RGB-D benchmark (Sturm et al., IROS 2012).
+// The calibrations published with the TUM RGB-D benchmark (Sturm et al., IROS 2012) and with the Bonn RGB-D
+// dynamic dataset (Palazzolo et al., IROS 2019).
 std::optional<Camera> tum_calibration(std::string_view folder_name) {
   // Freiburg 1 and 2 were taken with a Kinect, whose colour camera has a rolling shutter (Ringaby and
   // Forssen, ICCV 2011). The time was found from images alone: with it most landmarks are where they are
@@ -295,6 +296,9 @@ std::optional<Camera> tum_calibration(std::string_view folder_name) {
     camera.readout_time = kKinectReadout;
   } else if (named("freiburg3")) {
     pinhole(535.433105, 539.212524, 320.106653, 247.632132);
+  } else if (named("rgbd_bonn")) {
+    pinhole(542.822841, 542.576870, 315.593520, 237.756098);
+    lens(0.039903, -0.099343, -0.000730, -0.000144, 0);
   } else {
     return std::nullopt;
   }

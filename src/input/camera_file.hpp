@@ -28,8 +28,8 @@ RgbdCameras parse_cameras(const std::string& yaml, const std::string& name);
 std::string format_cameras(const RgbdCameras& cameras);
 /// The text that parse_camera reads back to the same camera.
 std::string format_camera(const Camera& camera);
-/// The calibration (lens and rolling shutter) that ships for a folder name with "freiburg1", "freiburg2" or
-/// "freiburg3" in it.
+/// The calibration (lens and rolling shutter) that ships for a folder name with "freiburg1", "freiburg2",
+/// "freiburg3" or "rgbd_bonn" in it.
 std::optional<Camera> tum_calibration(std::string_view folder_name);
 
 }  // namespace stdc

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/image_size.hpp"
 #include "core/text_file.hpp"
+#include "input/depth_formats/depth_formats.hpp"
 
 namespace stdc {
 namespace {
@@ -42,8 +43,7 @@ cv::Mat read_colour_file(const ImageFile& file, cv::Size size, ColourMode mode) 
 
 cv::Mat read_depth_file(const ImageFile& file, cv::Size size) {
   const std::string text = read_image(file);
-  const Bytes bytes = bytes_of(text);
-  return checked(decode_depth(bytes, expected_size(bytes, size)), file);
+  return checked(decode_any_depth(bytes_of(text), size), file);
 }
 
 }  // namespace stdc

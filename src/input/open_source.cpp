@@ -7,6 +7,8 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "input/layouts/layouts.hpp"
+#include "input/layouts/sens_file.hpp"
 #include "input/layouts/tum_source.hpp"
 #include "input/recordings/recording_source.hpp"
 
@@ -17,13 +19,25 @@ namespace fs = std::filesystem;
 
 // A kind that is recognised by more comes before one that is recognised by less.
 constexpr std::array kKinds{
-    SourceKind{"tum", "folder in TUM RGB-D layout: rgb.txt, depth.txt", is_tum_folder, open_tum_folder, true},
+    SourceKind{"tum", "folder in TUM RGB-D layout: rgb.txt, depth.txt (also BONN, ETH3D)", is_tum_folder,
+               open_tum_folder, true},
+    SourceKind{"openloris", "folder of OpenLORIS-Scene: color.txt, aligned_depth.txt", is_openloris,
+               open_openloris},
+    SourceKind{"icl-nuim", "folder of ICL-NUIM: associations.txt", is_icl_nuim, open_icl_nuim, true},
+    SourceKind{"7-scenes", "folder of 7-Scenes: frame-000000.color.png", is_seven_scenes, open_seven_scenes,
+               true},
+    SourceKind{"scannet", "folder of ScanNet: color, depth, pose, intrinsic", is_scannet, open_scannet, true},
+    SourceKind{"sens", "file of ScanNet (.sens)", is_sens_file, open_sens_file, true},
+    SourceKind{"stray-scanner", "folder of Stray Scanner: odometry.csv, depth, frames in rgb",
+               is_stray_scanner, open_stray_scanner},
+    SourceKind{"euroc", "folder in EuRoC layout: cam0/data.csv, with depth0", is_euroc, open_euroc, true},
+    SourceKind{"open3d", "folder of Open3D or Redwood: color (image, rgb), depth", is_open3d, open_open3d,
+               true},
     SourceKind{"mcap", "MCAP recording of ROS 2 or ROS 1, or a folder of rosbag2 with such files",
                is_mcap_recording, open_recording_source, false, true},
     SourceKind{"db3", "SQLite recording of ROS 2, or a folder of rosbag2 with such files", is_db3_recording,
                open_recording_source, false, true},
-    SourceKind{"bag", "bag of ROS 1, also of RealSense", is_bag_recording, open_recording_source, false,
-               true},
+    SourceKind{"bag", "bag of ROS 1, also of RealSense", is_bag_recording, open_recording_source, false, true},
 };
 
 void check_options(const SourceKind& kind, const fs::path& path, const SourceOptions& options) {

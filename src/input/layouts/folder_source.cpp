@@ -8,20 +8,23 @@ namespace {
 
 class ImageFiles final : public PackedImages {
  public:
-  ImageFiles(ImageFile colour, ImageFile depth, std::optional<std::uint16_t> missing_from)
-      : colour_(std::move(colour)), depth_(std::move(depth)), missing_from_(missing_from) {}
+  ImageFiles(const FolderFrame& frame, std::optional<std::uint16_t> missing_from)
+      : frame_(frame), missing_from_(missing_from) {}
 
   cv::Mat colour(cv::Size size, ColourMode mode) const override {
-    return read_colour_file(colour_, size, mode);
+    return read_colour_file(frame_.colour, size, mode);
   }
   cv::Mat depth(cv::Size size) const override {
-    cv::Mat depth = read_depth_file(depth_, size);
+    cv::Mat depth = read_depth_file(frame_.depth, size);
     if (missing_from_ && depth.type() == CV_16UC1) depth.setTo(0, depth >= *missing_from_);
+    if (!frame_.confidence.path.empty()) {
+      depth.setTo(0, read_colour_file(frame_.confidence, depth.size(), ColourMode::grey) == 0);
+    }
     return depth;
   }
 
  private:
-  ImageFile colour_, depth_;
+  FolderFrame frame_;
   std::optional<std::uint16_t> missing_from_;
 };
 
@@ -35,7 +38,7 @@ std::optional<SourceFrame> FolderSource::next() {
   frame.depth_timestamp = files.depth_timestamp;
   frame.name = files.colour.path.stem().string();
   frame.where = files.colour.where;
-  frame.images = std::make_shared<ImageFiles>(files.colour, files.depth, contents_.missing_from);
+  frame.images = std::make_shared<ImageFiles>(files, contents_.missing_from);
   return frame;
 }
 

@@ -15,6 +15,7 @@ namespace stdc {
 struct FolderFrame {
   double timestamp = 0, depth_timestamp = 0;  ///< [s]
   ImageFile colour, depth;
+  ImageFile confidence = {};  ///< of the depth, 8 bits: 0 = not to be used; no path: none
 };
 
 /// What a layout found in a folder.

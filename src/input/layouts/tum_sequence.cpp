@@ -11,6 +11,8 @@
 #include "core/text_file.hpp"
 #include "input/association.hpp"
 #include "input/camera_file.hpp"
+#include "input/layouts/image_folder.hpp"
+#include "input/layouts/number_file.hpp"
 
 namespace stdc {
 namespace {
@@ -44,6 +46,20 @@ double min_difference(const std::vector<double>& a, const std::vector<double>& b
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
+}
+
+/// ETH3D's SLAM benchmark (Schoeps et al., CVPR 2019): "fx fy cx cy" of images without distortion, taken at
+/// once.
+Camera read_eth3d_camera(const fs::path& path, const fs::path& first_image) {
+  constexpr double kRate = 27.1;  // [Hz], most of its recordings
+  const std::vector<double> numbers = read_numbers(path, 4);
+  const cv::Size size = size_of_image(first_image);
+  Camera camera;
+  camera.width = size.width, camera.height = size.height;
+  camera.fx = numbers[0], camera.fy = numbers[1], camera.cx = numbers[2], camera.cy = numbers[3];
+  camera.frames_per_second = kRate;
+  camera.validate(path.string());
+  return camera;
 }
 
 /// The folder's names, also for "." and "folder/": the one that was given, and the one that a link leads to.
@@ -116,11 +132,13 @@ GroundTruth TumSequence::ground_truth() const { return read_ground_truth(folder_
 
 const char* const kTumCameraHint =
     "put a camera.yaml into the folder or give one with --camera (known without: folders with freiburg1, "
-    "freiburg2 or freiburg3 in their name)";
+    "freiburg2, freiburg3 or rgbd_bonn in their name, and ETH3D's calibration.txt)";
 
 std::optional<RgbdCameras> known_cameras(const TumSequence& sequence) {
   const fs::path own = sequence.folder() / "camera.yaml";
   if (is_there(own)) return read_cameras(own);
+  const fs::path eth3d = sequence.folder() / "calibration.txt";
+  if (is_there(eth3d)) return RgbdCameras{read_eth3d_camera(eth3d, sequence.frames().front().colour), {}};
   for (const std::string& name : names_of(sequence.folder())) {
     if (const std::optional<Camera> camera = tum_calibration(name)) return RgbdCameras{*camera, {}};
   }
