@@ -17,7 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     const auto [first, end] = stdc::app::parse_frame_range(text, 1000);
-    if (first < 0 || first >= end || end > 1000) std::abort();
+    if (first < 0 || !end || first >= *end || *end > 1000) std::abort();
+    stdc::app::parse_frame_range(text, {});
   } catch (const stdc::Error&) {
   }
   return 0;

@@ -75,6 +75,8 @@ class FrameSource {
   virtual std::optional<int> frame_count() const = 0;
   /// About how many, for a progress bar.
   virtual std::optional<int> expected_frame_count() const { return frame_count(); }
+  /// Times of all these frames [s]; nothing if they are not known without reading the frames.
+  virtual std::optional<std::vector<double>> frame_times() const { return std::nullopt; }
 
   /// The cameras as the source knows them; nothing if it does not.
   virtual std::optional<RgbdCameras> cameras() const = 0;

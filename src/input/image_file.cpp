@@ -28,8 +28,17 @@ cv::Size expected_size(Bytes bytes, cv::Size size) {
   return size.empty() ? image_size(bytes).value_or(cv::Size(1, 1)) : size;
 }
 
+/// What to do about a problem of a decoder.
+const char* hint_for(const std::string& problem) {
+  const bool other_size = problem.find("but the camera has") != std::string::npos;
+  return other_size
+             ? "give the camera of these images (--camera); depth images of a camera of their own need its "
+               "depth_camera, see docs/inputs.md"
+             : kHint;
+}
+
 cv::Mat checked(DecodedImage decoded, const ImageFile& file) {
-  if (!decoded.problem.empty()) throw Error(file.where, decoded.problem, kHint);
+  if (!decoded.problem.empty()) throw Error(file.where, decoded.problem, hint_for(decoded.problem));
   return decoded.image;
 }
 

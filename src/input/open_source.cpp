@@ -63,9 +63,7 @@ const SourceKind& kind_named(const std::string& name) {
 }
 
 const SourceKind& kind_of(const fs::path& path) {
-  const auto* kind =
-      std::find_if(kKinds.begin(), kKinds.end(), [&](const SourceKind& k) { return k.matches(path); });
-  if (kind != kKinds.end()) return *kind;
+  if (const SourceKind* kind = recognise_source(path)) return *kind;
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored)) {
     throw Error(
@@ -83,6 +81,12 @@ std::string source_kind_names() {
   std::string names;
   for (const SourceKind& kind : kKinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
   return names;
+}
+
+const SourceKind* recognise_source(const fs::path& path) {
+  const auto* kind =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const SourceKind& k) { return k.matches(path); });
+  return kind == kKinds.end() ? nullptr : &*kind;
 }
 
 std::unique_ptr<FrameSource> open_source(const fs::path& path, const SourceOptions& options) {

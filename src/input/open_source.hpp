@@ -26,6 +26,9 @@ std::span<const SourceKind> source_kinds();
 /// "tum, euroc, ...", for help and hints.
 std::string source_kind_names();
 
+/// The kind that a path looks like; nullptr if it is none.
+const SourceKind* recognise_source(const std::filesystem::path& path);
+
 /// Opens a file or folder of any kind. Throws Error if it is of none, for an unknown kind, for an option that
 /// the kind does not take, and as the kind does.
 std::unique_ptr<FrameSource> open_source(const std::filesystem::path& path,

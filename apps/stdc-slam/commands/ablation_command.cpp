@@ -12,6 +12,7 @@
 #include "commands/ablation_columns.hpp"
 #include "commands/ablation_table.hpp"
 #include "commands/commands.hpp"
+#include "commands/input_options.hpp"
 #include "core/error.hpp"
 #include "run/mask_check.hpp"
 #include "run/output_folder.hpp"
@@ -24,8 +25,8 @@ namespace {
 
 struct Options {
   std::vector<std::string> sequences;
-  std::optional<std::string> output, camera;
-  std::string frames;
+  InputOptions input;  ///< how each of them is to be read
+  std::optional<std::string> output;
   AblationOptions columns;
   bool markdown = false, quiet = false;
 };
@@ -47,7 +48,9 @@ void check_names(const Options& options, const Inputs& inputs) {
 Inputs open_inputs(const Options& options, const std::vector<AblationColumn>& columns) {
   Inputs inputs;
   for (const std::string& folder : options.sequences) {
-    inputs.push_back(std::make_unique<SequenceInput>(folder, options.camera, options.frames));
+    InputOptions how = options.input;
+    how.path = folder;
+    inputs.push_back(std::make_unique<SequenceInput>(how));
     const SequenceInput& input = *inputs.back();
     input.required_truth();
     for (const AblationColumn& column : columns) {
@@ -75,9 +78,9 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
       interrupts, slam, record);
   AblationCell cell;
   const Trajectory estimate = by_map(slam.trajectory(), {}).frames;
-  cell.coverage = static_cast<double>(estimate.size()) / static_cast<double>(input.frames.size());
+  cell.coverage = static_cast<double>(estimate.size()) / static_cast<double>(record.counts().total());
   cell.frame_ms = record.stage(&StageTimes::total).median;
-  const RunScore score = score_run(input, estimate);
+  const RunScore score = score_run(input, estimate, record.counts().total());
   if (score.scores) cell.ate_rmse = score.scores->ate.rmse;
   if (!score.warning.empty() && warnings.insert(score.warning).second)
     fmt::print(stderr, "stdc-slam: {}\n", score.warning);
@@ -134,11 +137,10 @@ Examples:
 void add_ablation_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
-  command.add_option("SEQUENCES", options->sequences, "Folders in TUM RGB-D layout, with ground truth")
-      .required();
+  command.add_option("INPUTS", options->sequences, std::string(kInputHelp) + ", with true poses").required();
   command.add_option("--output,-o", options->output, "Folder for ablation.md and ablation.json");
-  command.add_option("--camera", options->camera, "Camera file; goes before those of the sequences");
-  command.add_option("--frames", options->frames, "Only frames A to B-1, counted from 0").type_name("A:B");
+  add_input_options(command, options->input);
+  add_frames_option(command, options->input);
   command
       .add_option("--masks-from", options->columns.masks_from,
                   "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")

@@ -2,19 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "commands/input_options.hpp"
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
 #include "features/detection/uniformity.hpp"
 #include "features/extractor.hpp"
-#include "input/layouts/tum_sequence.hpp"
+#include "input/frame_decoder.hpp"
 #include "report/debug_images.hpp"
 #include "run/output_folder.hpp"
 #include "run/progress.hpp"
@@ -23,8 +25,8 @@ namespace stdc::app {
 namespace {
 
 struct Options {
-  std::string sequence;
-  std::optional<std::string> camera, debug_images;
+  InputOptions input;
+  std::optional<std::string> debug_images;
   std::vector<int> frames;
   int keypoints = 218;
   bool markdown = false, json = false, quiet = false;
@@ -63,25 +65,20 @@ Row average(const std::vector<Row>& rows) {
   return sum;
 }
 
-std::vector<int> chosen_frames(const Options& options, const TumSequence& sequence) {
-  const int count = static_cast<int>(sequence.frames().size());
-  std::vector<int> frames = options.frames;
-  if (frames.empty()) {
-    frames.resize(sequence.frames().size());
-    std::iota(frames.begin(), frames.end(), 0);
-  }
-  for (const int frame : frames) {
-    if (frame >= 0 && frame < count) continue;
-    throw Error("--frames", fmt::format("there is no frame {}", frame),
-                fmt::format("give numbers from 0 to {}, separated by commas", count - 1));
-  }
-  return frames;
+[[noreturn]] void refuse_frame(int frame, int count) {
+  throw Error("--frames", fmt::format("there is no frame {}", frame),
+              fmt::format("give numbers from 0 to {}, separated by commas", count - 1));
 }
 
-std::vector<Row> measure_frames(const Options& options) {
-  const TumSequence sequence(options.sequence);
-  const Camera camera = find_camera(sequence, options.camera);
-  const std::vector<int> frames = chosen_frames(options, sequence);
+/// Throws Error for frames that there are not, as far as that is known beforehand.
+void check_frames(const Options& options, const SequenceInput& input) {
+  const std::optional<int> count = input.frame_count();
+  for (const int frame : options.frames) {
+    if (frame < 0 || (count && frame >= *count)) refuse_frame(frame, count.value_or(1000000));
+  }
+}
+
+std::vector<FeatureExtractor> make_extractors(const Options& options) {
   std::vector<FeatureExtractor> extractors;
   extractors.reserve(kSelections.size());
   for (const Selection selection : kSelections) {
@@ -93,25 +90,55 @@ std::vector<Row> measure_frames(const Options& options) {
     }
     extractors.emplace_back(settings);
   }
+  return extractors;
+}
+
+/// The rows in the order in which the frames were asked for.
+std::vector<Row> in_order(const std::vector<int>& frames, const std::map<int, Row>& rows, int count) {
+  std::vector<Row> ordered;
+  for (const int frame : frames) {
+    const auto row = rows.find(frame);
+    if (row == rows.end()) refuse_frame(frame, count);
+    ordered.push_back(row->second);
+  }
+  if (frames.empty()) {
+    for (const auto& [frame, row] : rows) ordered.push_back(row);
+  }
+  return ordered;
+}
+
+std::vector<Row> measure_frames(const Options& options) {
+  const SequenceInput input(options.input);
+  check_frames(options, input);
+  std::vector<FeatureExtractor> extractors = make_extractors(options);
   std::optional<OutputFolder> pictures;
   if (options.debug_images) pictures.emplace(*options.debug_images);
-  Progress progress("extracting", "frames", static_cast<int>(frames.size()), options.quiet);
-  std::vector<Row> rows;
-  for (const int frame : frames) {
-    const SequenceFrame& files = sequence.frames()[static_cast<std::size_t>(frame)];
-    const cv::Mat grey = load_frame(files, camera, ColourMode::grey).colour;
-    Row& row = rows.emplace_back(Row{frame, {}});
+  const std::set<int> wanted(options.frames.begin(), options.frames.end());
+  Progress progress("extracting", "frames",
+                    wanted.empty() ? input.frame_count() : std::optional(static_cast<int>(wanted.size())),
+                    options.quiet);
+  const FrameDecoder decoder(input.cameras);
+  FrameSource& source = input.start();
+  std::map<int, Row> rows;
+  int number = 0;
+  for (; wanted.empty() || rows.size() < wanted.size(); ++number) {
+    const auto frame = source.next();
+    if (!frame) break;
+    if (!wanted.empty() && !wanted.contains(number)) continue;
+    const cv::Mat grey = decoder.colour(*frame, ColourMode::grey);
+    Row& row = rows[number] = Row{number, {}};
     for (std::size_t s = 0; s < kSelections.size(); ++s) {
       row.selections[s] = measure(extractors[s].extract(grey), grey.size());
       if (!pictures) continue;
-      pictures->write(fmt::format("features-{:05}-{}.png", frame, enum_name(kSelections[s])),
-                      encode_png(draw_cells(grey, cv::Mat(), frame, extractors[s].settings())));
+      pictures->write(fmt::format("features-{:05}-{}.png", number, enum_name(kSelections[s])),
+                      encode_png(draw_cells(grey, cv::Mat(), number, extractors[s].settings())));
     }
     progress.update(static_cast<int>(rows.size()));
   }
   progress.finish();
+  std::vector<Row> ordered = in_order(options.frames, rows, number);
   if (pictures) pictures->commit();
-  return rows;
+  return ordered;
 }
 
 std::string format_row(const std::string& name, const Row& row, bool markdown) {
@@ -161,8 +188,9 @@ nlohmann::json to_json(const Row& row) {
 }
 
 std::string format_json(const Options& options, const std::vector<Row>& rows) {
-  nlohmann::json json{
-      {"sequence", options.sequence}, {"keypoints", options.keypoints}, {"average", to_json(average(rows))}};
+  nlohmann::json json{{"sequence", options.input.path.string()},
+                      {"keypoints", options.keypoints},
+                      {"average", to_json(average(rows))}};
   for (const Row& row : rows) {
     json["frames"].push_back(to_json(row));
     json["frames"].back()["frame"] = row.frame;
@@ -182,14 +210,14 @@ void add_features_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command =
       program.add_subcommand("features", "Compare the keypoint selections: quality and uniformity");
-  command.add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout").required();
+  command.add_option("INPUT", options->input.path, kInputHelp).required();
   command
       .add_option("--frames", options->frames, "Frames to show, counted from 0, e.g. 1,60,303 (default: all)")
       .delimiter(',')
       .one_value_each();
   command.add_option("--keypoints", options->keypoints, "Keypoints per image; the paper's Table 2 has 218")
       .capture_default_str();
-  command.add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
+  add_input_options(command, options->input);
   command.add_option("--debug-images", options->debug_images,
                      "Folder for pictures of the keypoints and quadtree cells of each frame");
   const CommandOption markdown = command.add_flag("--markdown", options->markdown, "Print a Markdown table");

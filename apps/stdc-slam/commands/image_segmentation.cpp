@@ -40,7 +40,7 @@ ImageSegmentation::ImageSegmentation(Segmenter& segmenter, const SegmentationReq
 Orientation ImageSegmentation::orientation_of(const StoredImage& stored, const SegmentImage& image) const {
   if (!camera_) return stored.orientation;
   if (is_of_images_ && stored.colour.size() != cv::Size(camera_->width, camera_->height)) {
-    throw Error(image.path.string(),
+    throw Error(image.where,
                 fmt::format("is {} x {} pixels, but the camera has {} x {}", stored.colour.cols,
                             stored.colour.rows, camera_->width, camera_->height),
                 "give the --camera that took these images");
@@ -88,7 +88,7 @@ void ImageSegmentation::write_overlay(const std::string& name, const cv::Mat& im
 
 SegmentedImage ImageSegmentation::segment(const SegmentImage& image, int frame,
                                           std::optional<TruthMasks>& truths) {
-  const StoredImage stored = load_segment_image(image.path);
+  const StoredImage stored = image.load();
   const Orientation orientation = orientation_of(stored, image);
   const cv::Mat upright = to_upright(stored.colour, orientation);
   SegmentedImage result;

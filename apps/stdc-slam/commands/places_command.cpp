@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "commands/commands.hpp"
+#include "commands/input_options.hpp"
 #include "commands/place_recognition_evaluation.hpp"
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
+#include "input/frame_decoder.hpp"
 #include "report/plot.hpp"
 #include "report/quantiles.hpp"
 #include "run/output_folder.hpp"
@@ -22,8 +25,8 @@ namespace stdc::app {
 namespace {
 
 struct Options {
-  std::string sequence, frames;
-  std::optional<std::string> camera, output;
+  InputOptions input;
+  std::optional<std::string> output;
   int step = 5;
   PlaceRecognitionTestSettings test;
   bool json = false, quiet = false;
@@ -46,40 +49,57 @@ std::optional<Pose> pose_at(const Trajectory& truth, double timestamp) {
   return nearest->world_from_cam.inverse();
 }
 
-/// Adds every view that has a true pose; @returns how many have none.
-int run_test(const Options& options, const SequenceInput& input, PlaceRecognitionTest& test) {
-  int without_pose = 0;
-  const auto step = static_cast<std::size_t>(options.step);
-  const std::size_t views = (input.frames.size() + step - 1) / step;
-  Progress progress("recognising", "views", static_cast<int>(views), options.quiet);
-  for (std::size_t i = 0; i < input.frames.size(); i += step) {
-    const SequenceFrame& files = input.frames[i];
-    const auto pose = pose_at(*input.truth, files.timestamp);
+/// What became of the views.
+struct ViewCounts {
+  int views = 0, without_pose = 0;
+  double first_time = 0, last_time = 0;  ///< of all frames [s]
+};
+
+/// Adds every view that has a true pose.
+ViewCounts run_test(const Options& options, const SequenceInput& input, PlaceRecognitionTest& test) {
+  const std::optional<int> frames = input.frame_count();
+  Progress progress("recognising", "views",
+                    frames ? std::optional((*frames + options.step - 1) / options.step) : std::nullopt,
+                    options.quiet);
+  const FrameDecoder decoder(input.cameras);
+  FrameSource& source = input.start();
+  ViewCounts counts;
+  for (int i = 0; i < input.end_frame().value_or(std::numeric_limits<int>::max()); ++i) {
+    const auto frame = source.next();
+    if (!frame) break;
+    if (i < input.first_frame() || (i - input.first_frame()) % options.step != 0) continue;
+    if (counts.views++ == 0) counts.first_time = frame->timestamp;
+    counts.last_time = frame->timestamp;
+    const auto pose = pose_at(*input.truth, frame->timestamp);
     if (!pose) {
-      ++without_pose;
+      ++counts.without_pose;
     } else {
-      test.add(input.first_frame + static_cast<int>(i), load_frame(files, input.camera, ColourMode::grey),
-               *pose);
+      test.add(i, decoder.decode(*frame, ColourMode::grey), *pose);
     }
-    progress.update(static_cast<int>(i / step) + 1);
+    progress.update(counts.views);
   }
-  return without_pose;
+  return counts;
 }
 
-/// Throws Error if no image has a true pose: then there is nothing to judge.
-void check_truth(const SequenceInput& input) {
+[[noreturn]] void refuse_truth(const SequenceInput& input, double first, double last) {
   const Trajectory& truth = input.required_truth();
-  const bool any = std::any_of(input.frames.begin(), input.frames.end(), [&](const SequenceFrame& frame) {
-    return pose_at(truth, frame.timestamp).has_value();
-  });
-  if (any) return;
   throw Error(
       input.truth_path().string(),
       fmt::format("has no pose within 20 ms of any image (poses: {:.3f} to {:.3f} s, images: {:.3f} to "
                   "{:.3f} s)",
-                  truth.front().timestamp, truth.back().timestamp, input.frames.front().timestamp,
-                  input.frames.back().timestamp),
+                  truth.front().timestamp, truth.back().timestamp, first, last),
       "give the truth of the same recording, with times in seconds");
+}
+
+/// Throws Error if no image has a true pose, as far as that is known beforehand: then there is nothing to
+/// judge.
+void check_truth(const SequenceInput& input) {
+  const Trajectory& truth = input.required_truth();
+  const auto times = input.frame_times();
+  if (!times || times->empty()) return;
+  const bool any = std::any_of(times->begin(), times->end(),
+                               [&](double time) { return pose_at(truth, time).has_value(); });
+  if (!any) refuse_truth(input, times->front(), times->back());
 }
 
 std::optional<double> median(const std::vector<double>& values) { return quantiles(values).median; }
@@ -170,14 +190,16 @@ std::string format_answers(const std::vector<PlaceAnswer>& answers) {
 }
 
 void run(const Options& options) {
-  const SequenceInput input(options.sequence, options.camera, options.frames);
+  const SequenceInput input(options.input);
   check_truth(input);
   std::optional<OutputFolder> output;
   if (options.output) output.emplace(*options.output);
   PlaceRecognitionTest test(input.camera, options.test);
-  if (const int without_pose = run_test(options, input, test); without_pose > 0) {
+  const ViewCounts counts = run_test(options, input, test);
+  if (counts.without_pose == counts.views) refuse_truth(input, counts.first_time, counts.last_time);
+  if (counts.without_pose > 0) {
     fmt::print(stderr, "stdc-slam: {}: {} views have no pose within 20 ms and are left out\n",
-               input.truth_path().string(), without_pose);
+               input.truth_path().string(), counts.without_pose);
   }
   const PlaceScores scores = score_places(test.answers(), options.test);
   if (output) {
@@ -195,9 +217,8 @@ void add_places_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command =
       program.add_subcommand("places", "Precision and recall of place recognition against poses");
-  command.add_option("SEQUENCE", options->sequence, "Folder in TUM RGB-D layout with groundtruth.txt")
-      .required();
-  command.add_option("--frames", options->frames, "Only frames A..B-1: \"A:B\", either may be missing");
+  command.add_option("INPUT", options->input.path, std::string(kInputHelp) + ", with true poses").required();
+  add_frames_option(command, options->input);
   command.add_option("--step", options->step, "Every how many frames there is a view")
       .in_range(1, 10000)
       .capture_default_str();
@@ -209,7 +230,7 @@ void add_places_command(Command program) {
                   "Share of the view that must have been seen before for there to be a place to find")
       .in_range(PlaceRecognitionTest::kRight, 1.0)
       .capture_default_str();
-  command.add_option("--camera", options->camera, "Camera file; goes before the camera of the folder");
+  add_input_options(command, options->input);
   command.add_option("--output", options->output, "Folder for places.csv and places.png (the curve)");
   command.add_flag("--json", options->json, "Print JSON");
   command.add_flag("--quiet", options->quiet, "No progress");

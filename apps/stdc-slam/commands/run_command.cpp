@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands/commands.hpp"
+#include "commands/input_options.hpp"
 #include "core/error.hpp"
 #include "run/run_sequence.hpp"
 
@@ -11,9 +12,11 @@ namespace stdc::app {
 namespace {
 
 constexpr const char* kFooter = R"(
-SEQUENCE is a folder in TUM RGB-D layout: rgb.txt and depth.txt with "timestamp filename" lines, images as PNG
-or JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. The camera is taken from --camera, else from camera.yaml in the folder,
-else from the folder's name where that holds freiburg1, freiburg2 or freiburg3.
+INPUT is a folder in TUM RGB-D layout: rgb.txt and depth.txt with "timestamp filename" lines, images as PNG or
+JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. Or a folder in the layout of another data set, or a recording:
+docs/inputs.md has them all, `stdc-slam info INPUT` says what one is. The camera is taken from --camera, else from
+camera.yaml in the folder, else as the kind of input says. Depth that is not registered to the colour images is
+registered if the depth camera is known (depth_camera in the camera file).
 
 Written to the output folder, all at the end or nothing:
   trajectory.txt  "timestamp tx ty tz qx qy qz qw" of every frame that has a pose; world = first camera of the
@@ -50,9 +53,9 @@ Examples:
   stdc-slam run my-sequence --output results --debug-images pictures --debug-every 30)";
 
 void add_options(Command command, RunOptions& options) {
-  command.add_option("SEQUENCE", options.sequence, "Folder in TUM RGB-D layout").required();
+  command.add_option("INPUT", options.input.path, kInputHelp).required();
   command.add_option("--output,-o", options.output, "Folder for the results; made if need be").required();
-  command.add_option("--camera", options.camera, "Camera file; goes before the camera of the sequence");
+  add_input_options(command, options.input);
   add_settings_options(command, options.settings);
   add_motion_option(command, options.settings);
   add_segmentation_options(command, options.segmentation);
@@ -60,13 +63,7 @@ void add_options(Command command, RunOptions& options) {
   command.add_option("--save-map", options.save_map, "File for the map; written when all went well");
   command.add_flag("--localisation-only", options.localisation_only,
                    "Only find the camera in the loaded map, and leave that as it is");
-  command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0").type_name("A:B");
-  command
-      .add_option("--rate", options.rate,
-                  "Take the order of the lines in rgb.txt and depth.txt for the time: frame i at i / HZ "
-                  "seconds, whatever their stamps say")
-      .type_name("HZ")
-      .in_range(0.1, 1000.0);
+  add_frames_option(command, options.input);
   const CommandOption debug_images =
       command.add_option("--debug-images", options.debug_images, "Folder for pictures of what was found");
   command

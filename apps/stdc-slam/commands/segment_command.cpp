@@ -11,6 +11,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/image_segmentation.hpp"
+#include "commands/input_options.hpp"
 #include "commands/segment_images.hpp"
 #include "commands/segmentation_options.hpp"
 #include "commands/truth_masks.hpp"
@@ -28,8 +29,9 @@ namespace stdc::app {
 namespace {
 
 struct Options {
-  std::string input, output, frames, size, truth_kind = "masks";
-  std::optional<std::string> weights, truth, camera;
+  InputOptions input;
+  std::string output, size, truth_kind = "masks";
+  std::optional<std::string> weights, truth;
   std::vector<std::string> dynamic_classes;
   int threads = 1;
   bool int8 = false, fp32 = false, no_overlays = false, quiet = false;
@@ -85,21 +87,10 @@ TruthKind truth_kind(const Options& options) {
 }
 
 /// The camera whose `rotation` counts: --camera, or that of a sequence; nothing for photos.
-std::optional<Camera> camera_of(const Options& options, const std::vector<SegmentImage>& images) {
-  if (options.camera) return read_camera(*options.camera);
-  const std::filesystem::path own = std::filesystem::path(options.input) / "camera.yaml";
-  std::error_code fault;
-  if (!images.front().timestamp) return std::nullopt;
-  return std::filesystem::exists(own, fault) ? read_camera(own) : Camera();
-}
-
-/// Which mask belongs to which time, as `run --masks` reads it; empty for images that have no time.
-std::string mask_list(const std::vector<SegmentImage>& images) {
-  std::string text;
-  for (const SegmentImage& image : images) {
-    if (image.timestamp) text += fmt::format("{:.6f} {}.png\n", *image.timestamp, image.name);
-  }
-  return text;
+std::optional<Camera> camera_of(const Options& options, const SegmentImages& images) {
+  if (options.input.camera) return read_cameras(*options.input.camera).colour;
+  if (!images.is_sequence()) return std::nullopt;
+  return images.camera().value_or(Camera());
 }
 
 /// Throws Error if no image could be scored; says on stderr if some could not.
@@ -120,7 +111,7 @@ void check_scores(const Options& options, const std::vector<SegmentedImage>& res
 void segment(const Options& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
-  const std::vector<SegmentImage> images = list_segment_images(options.input, options.frames);
+  SegmentImages images(options.input);
   std::optional<TruthMasks> truths;
   if (options.truth) truths.emplace(*options.truth, truth_kind(options));
   check_onnx_options(options);
@@ -128,25 +119,29 @@ void segment(const Options& options) {
   const auto segmenter = make_weights_segmenter(options.weights.value_or(""), network_settings(options),
                                                 options.dynamic_classes);
   OutputFolder output(options.output);
-  ImageSegmentation segmentation(*segmenter, options.wanted, camera, options.camera.has_value(),
+  ImageSegmentation segmentation(*segmenter, options.wanted, camera, options.input.camera.has_value(),
                                  !options.no_overlays, output);
   std::vector<SegmentedImage> results;
-  Progress progress("segmenting", "images", static_cast<int>(images.size()), options.quiet);
-  for (const SegmentImage& image : images) {
+  std::string masks;  // which mask belongs to which time, as `run --masks` reads it
+  Progress progress("segmenting", "images", images.count(), options.quiet);
+  while (const auto image = images.next()) {
     if (interrupts.interrupted()) {
-      throw Error(
-          "interrupted",
-          fmt::format("stopped after {} of {} images, nothing was written", results.size(), images.size()),
-          "start again, perhaps with fewer --frames");
+      const auto count = images.count();
+      throw Error("interrupted",
+                  fmt::format("stopped after {}{} images, nothing was written", results.size(),
+                              count ? fmt::format(" of {}", *count) : ""),
+                  "start again, perhaps with fewer --frames");
     }
     const auto number = static_cast<int>(results.size());
-    results.push_back(segmentation.segment(image, number, truths));
+    results.push_back(segmentation.segment(*image, number, truths));
+    if (image->timestamp) masks += fmt::format("{:.6f} {}.png\n", *image->timestamp, image->name);
     progress.update(static_cast<int>(results.size()));
   }
   progress.finish();
+  if (results.empty()) throw Error(options.input.path.string(), "holds no image", "give another input");
   check_scores(options, results);
   output.write("segments.csv", segments_csv(results, segmentation.shared_classes()));
-  if (const std::string masks = mask_list(images); !masks.empty()) output.write("mask.txt", masks);
+  if (!masks.empty()) output.write("mask.txt", masks);
   output.commit();
   if (options.quiet) return;
   if (const auto* network = dynamic_cast<const NetworkSegmenter*>(segmenter.get())) {
@@ -156,7 +151,7 @@ void segment(const Options& options) {
 }
 
 constexpr const char* kFooter = R"(
-INPUT is an image, a folder of images (PNG, JPEG), or a sequence in TUM RGB-D layout. Written to the output
+INPUT is an image, a folder of images (PNG, JPEG), or a recording of any kind that `run` takes. Written to the output
 folder, all at the end or nothing:
   NAME.png          mask of the image NAME.*: 255 = dynamic, else 0; `run --masks` takes the folder as it is
   NAME-overlay.jpg  the image with the mask drawn over it, each dynamic class in a colour of its own
@@ -188,20 +183,21 @@ Examples:
 void add_segment_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("segment", "Find people and other dynamic things in images");
-  command.add_option("INPUT", options->input, "Image, folder of images, or sequence").required();
+  command.add_option("INPUT", options->input.path, "Image, folder of images, or recording of any kind")
+      .required();
   command.add_option("--output,-o", options->output, "Folder for the results; made if need be").required();
   command.add_option("--weights", options->weights,
                      "Weights of the network (.safetensors), or an ONNX model; default: those that ship");
   const CommandOption int8 = command.add_flag(
       "--int8", options->int8, "Compute in 8 bits (default if the weights are calibrated for it)");
   command.add_flag("--fp32", options->fp32, "Compute in 32-bit floating point").excludes(int8);
-  command.add_option("--frames", options->frames, "Only images A to B-1, counted from 0").type_name("A:B");
+  command.add_option("--frames", options->input.frames, "Only images A to B-1, counted from 0")
+      .type_name("A:B");
   command
       .add_option("--size", options->size,
                   "Size of the network's input, multiples of 32; default: as the weights say")
       .type_name("WxH");
-  command.add_option("--camera", options->camera,
-                     "Camera file whose 'rotation' says which way up the images are, in place of EXIF");
+  add_input_options(command, options->input);
   command.add_option("--threads", options->threads, "Threads of inference").capture_default_str();
   const CommandOption score =
       command.add_option("--score", options->truth, "Folder of true masks to compare with")

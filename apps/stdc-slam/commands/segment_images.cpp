@@ -10,7 +10,6 @@
 #include "core/image_codec.hpp"
 #include "core/image_size.hpp"
 #include "core/text_file.hpp"
-#include "input/layouts/tum_sequence.hpp"
 #include "run/frame_range.hpp"
 
 namespace stdc::app {
@@ -34,52 +33,84 @@ bool is_one_of(const auto& extensions, const std::string& extension) {
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
+SegmentImage image_of(const fs::path& path) {
+  return {path.string(), path.stem().string(), {}, [path] { return load_segment_image(path); }};
+}
+
 std::vector<SegmentImage> list_folder(const fs::path& folder) {
   std::vector<SegmentImage> images;
   std::vector<std::string> left_out;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     const std::string extension = extension_of(entry.path());
-    if (is_one_of(kRead, extension)) images.push_back({entry.path(), entry.path().stem().string(), {}});
+    if (is_one_of(kRead, extension)) images.push_back(image_of(entry.path()));
     if (is_one_of(kNotRead, extension)) left_out.push_back(entry.path().filename().string());
   }
   if (!left_out.empty() && !images.empty()) {
     fmt::print(stderr, "stdc-slam: {}: {} images are neither PNG nor JPEG and are left out, such as {}\n",
                folder.string(), left_out.size(), *std::min_element(left_out.begin(), left_out.end()));
   }
-  std::sort(images.begin(), images.end(),
-            [](const SegmentImage& a, const SegmentImage& b) { return a.path < b.path; });
+  std::sort(images.begin(), images.end(), [](const SegmentImage& a, const SegmentImage& b) {
+    return fs::path(a.where) < fs::path(b.where);
+  });
   for (std::size_t i = 1; i < images.size(); ++i) {
     if (images[i].name == images[i - 1].name) {
-      throw Error(images[i].path.string(), "there is another image of this name", "rename one of them");
+      throw Error(images[i].where, "there is another image of this name", "rename one of them");
     }
   }
   return images;
 }
 
-std::vector<SegmentImage> list_all(const fs::path& input) {
+std::vector<SegmentImage> list_files(const fs::path& input) {
   std::error_code fault;
-  if (fs::is_regular_file(input, fault)) return {{input, input.stem().string(), {}}};
-  if (!fs::is_directory(input, fault)) {
-    throw Error(input.string(), "there is no such image or folder",
-                "give an image, a folder of images or a sequence");
-  }
-  if (!fs::exists(input / "rgb.txt", fault)) return list_folder(input);
-  std::vector<SegmentImage> images;
-  const TumSequence sequence(input);
-  for (const SequenceFrame& frame : sequence.frames()) {
-    images.push_back({frame.colour, frame.colour.stem().string(), frame.timestamp});
-  }
-  return images;
+  if (fs::is_regular_file(input, fault)) return {image_of(input)};
+  if (fs::is_directory(input, fault)) return list_folder(input);
+  throw Error(input.string(), "there is no such image or folder",
+              "give an image, a folder of images or a sequence");
 }
 
 }  // namespace
 
-std::vector<SegmentImage> list_segment_images(const fs::path& input, const std::string& range) {
-  const std::vector<SegmentImage> images = list_all(input);
-  if (images.empty()) throw Error(input.string(), "holds no PNG or JPEG images", "give a folder with images");
-  const auto [first, end] = parse_frame_range(range, static_cast<int>(images.size()));
-  return {images.begin() + first, images.begin() + end};
+SegmentImages::SegmentImages(const InputOptions& input) {
+  std::error_code fault;
+  // What has a list of colour images is meant to be a sequence.
+  const bool sequence = !input.source.kind.empty() || recognise_source(input.path) != nullptr ||
+                        fs::exists(input.path / "rgb.txt", fault);
+  if (sequence) {
+    source_ = open_source(input.path, input.source);
+    for (const std::string& note : source_->notes()) fmt::print(stderr, "stdc-slam: {}\n", note);
+    range_ = parse_frame_range(input.frames, source_->frame_count());
+    for (; at_ < range_.first; ++at_) source_->next();
+    return;
+  }
+  files_ = list_files(input.path);
+  if (files_.empty()) {
+    throw Error(input.path.string(), "holds no PNG or JPEG images", "give a folder with images");
+  }
+  range_ = parse_frame_range(input.frames, static_cast<int>(files_.size()));
+  at_ = range_.first;
+}
+
+std::optional<int> SegmentImages::count() const {
+  if (!range_.end) return std::nullopt;
+  return *range_.end - range_.first;
+}
+
+std::optional<Camera> SegmentImages::camera() const {
+  if (!source_) return std::nullopt;
+  const auto cameras = source_->cameras();
+  return cameras ? std::optional(cameras->colour) : std::nullopt;
+}
+
+std::optional<SegmentImage> SegmentImages::next() {
+  if (range_.end && at_ == *range_.end) return std::nullopt;
+  if (!source_) return files_[static_cast<std::size_t>(at_++)];
+  const auto frame = source_->next();
+  if (!frame) return std::nullopt;
+  ++at_;
+  return SegmentImage{frame->where, frame->name, frame->timestamp, [images = frame->images] {
+                        return StoredImage{images->colour({}, ColourMode::as_stored), Orientation::upright};
+                      }};
 }
 
 StoredImage load_segment_image(const fs::path& path) {

@@ -5,12 +5,13 @@
 
 namespace stdc::app {
 
-FrameLoader::FrameLoader(std::span<const SequenceFrame> frames, const Camera& camera, ColourMode mode,
-                         int ahead)
-    : frames_(frames),
-      camera_(camera),
+FrameLoader::FrameLoader(const SequenceInput& input, ColourMode mode, int ahead)
+    : source_(input.start()),
+      decoder_(input.cameras),
       mode_(mode),
       ahead_(static_cast<std::size_t>(std::max(1, ahead))),
+      skip_(input.first_frame()),
+      count_(input.frame_count()),
       thread_([this] { work(); }) {}
 
 FrameLoader::~FrameLoader() {
@@ -34,31 +35,54 @@ std::optional<LoadedFrame> FrameLoader::next() {
 }
 
 void FrameLoader::work() {
-  for (int index = 0; index < static_cast<int>(frames_.size()); ++index) {
-    LoadedFrame frame = load(index);
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return ready_.size() < ahead_ || stop_; });
-    if (stop_) return;
-    ready_.push_back(std::move(frame));
-    lock.unlock();
-    changed_.notify_all();
+  LoadedFrame fault;
+  try {
+    while (const auto frame = step()) {
+      if (!give(load(*frame))) return;
+      ++index_;
+    }
+  } catch (const Error& error) {
+    fault.error = error;
+  } catch (const std::exception& error) {
+    fault.error = Error(source_.where(), error.what(), "free memory and try again");
   }
+  fault.index = index_;
+  if (fault.error && !give(std::move(fault))) return;
   const std::lock_guard lock(mutex_);
   done_ = true;
   changed_.notify_all();
 }
 
-LoadedFrame FrameLoader::load(int index) const {
-  const SequenceFrame& source = frames_[static_cast<std::size_t>(index)];
+std::optional<SourceFrame> FrameLoader::step() {
+  for (; skip_ > 0; --skip_) {
+    if (!source_.next()) return std::nullopt;
+  }
+  if (count_ && index_ == *count_) return std::nullopt;
+  return source_.next();
+}
+
+bool FrameLoader::give(LoadedFrame frame) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return ready_.size() < ahead_ || stop_; });
+  if (stop_) return false;
+  ready_.push_back(std::move(frame));
+  lock.unlock();
+  changed_.notify_all();
+  return true;
+}
+
+LoadedFrame FrameLoader::load(const SourceFrame& source) const {
   LoadedFrame frame;
-  frame.index = index;
+  frame.index = index_;
   frame.timestamp = source.timestamp;
+  frame.depth_timestamp = source.depth_timestamp;
+  frame.name = source.name;
   try {
-    frame.image = load_frame(source, camera_, mode_);
+    frame.image = decoder_.decode(source, mode_);
   } catch (const Error& error) {
     frame.error = error;
   } catch (const std::exception& error) {  // no memory, say: it must not end the program from a thread
-    frame.error = Error(source.colour.string(), error.what(), "free memory and try again");
+    frame.error = Error(source.where, error.what(), "free memory and try again");
   }
   return frame;
 }

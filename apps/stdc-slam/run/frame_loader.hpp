@@ -4,27 +4,32 @@
 #include <deque>
 #include <mutex>
 #include <optional>
-#include <span>
+#include <string>
 #include <thread>
 
 #include "core/error.hpp"
-#include "input/layouts/tum_sequence.hpp"
+#include "core/rgbd_image.hpp"
+#include "input/frame_decoder.hpp"
+#include "run/sequence_input.hpp"
 
 namespace stdc::app {
 
-/// A frame of a sequence as it comes from the disk: its images, or why there are none.
+/// A frame of a sequence, unpacked: its images, or why there are none.
 struct LoadedFrame {
-  int index = 0;  ///< within the frames given to the loader
+  int index = 0;  ///< within the chosen frames
   double timestamp = 0;
+  double depth_timestamp = 0;
+  std::string name;  ///< see SourceFrame
   std::optional<RgbdImage> image;
   std::optional<Error> error;  ///< set if there is no image
 };
 
-/// Reads and decodes frames in a thread of its own, a few ahead of the one that asks for them.
+/// Reads, decodes and registers frames in a thread of its own, a few ahead of the one that asks for them.
 class FrameLoader {
  public:
-  /// `frames` must outlive the loader. `ahead`: most frames waiting to be asked for.
-  FrameLoader(std::span<const SequenceFrame> frames, const Camera& camera, ColourMode mode, int ahead = 3);
+  /// Goes through the chosen frames of `input`, which must outlive the loader and have no other loader.
+  /// `ahead`: most frames waiting to be asked for.
+  FrameLoader(const SequenceInput& input, ColourMode mode, int ahead = 3);
   ~FrameLoader();
   FrameLoader(const FrameLoader&) = delete;
   FrameLoader& operator=(const FrameLoader&) = delete;
@@ -34,12 +39,19 @@ class FrameLoader {
 
  private:
   void work();
-  LoadedFrame load(int index) const;
+  /// The next chosen frame of the source; nothing at the end.
+  std::optional<SourceFrame> step();
+  /// @returns false if the loader is left
+  bool give(LoadedFrame frame);
+  LoadedFrame load(const SourceFrame& source) const;
 
-  std::span<const SequenceFrame> frames_;
-  Camera camera_;
+  FrameSource& source_;
+  FrameDecoder decoder_;
   ColourMode mode_;
   std::size_t ahead_;
+  int skip_;
+  std::optional<int> count_;
+  int index_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<LoadedFrame> ready_;

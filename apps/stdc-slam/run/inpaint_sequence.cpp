@@ -62,14 +62,14 @@ class SecondPass {
 
   template <typename Action>
   void for_each_frame(const char* label, const Action& action) {
-    FrameLoader loader(input_.frames, input_.camera, ColourMode::as_stored);
-    const int count = static_cast<int>(input_.frames.size());
-    Progress progress(label, "frames", count, quiet_);
+    FrameLoader loader(input_, ColourMode::as_stored);
+    Progress progress(label, "frames", input_.frame_count(), quiet_);
     while (const auto frame = loader.next()) {
       if (frame->image) action(*frame);
       if (interrupts_.interrupted()) {
-        progress.message(fmt::format("stdc-slam: interrupted while {} frame {} of {}; nothing was written",
-                                     label, frame->index + 1, count));
+        const auto count = input_.frame_count();
+        progress.message(fmt::format("stdc-slam: interrupted while {} frame {}{}; nothing was written", label,
+                                     frame->index + 1, count ? fmt::format(" of {}", *count) : ""));
         throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
       }
       progress.update(frame->index + 1);
@@ -95,14 +95,14 @@ class SecondPass {
     if (view && cv::countNonZero(dynamic) > 0) {
       views = store_.choose(view->at, inpainter_.region(dynamic), inpainter_.rays());
     }
-    lane.worker->start(
-        [this, &lane, view, dynamic, views = std::move(views), image = *frame.image, index = frame.index] {
-          const InpaintedFrame result =
-              view ? inpainter_.inpaint(image, *view, dynamic, views) : inpainter_.blank(image, dynamic);
-          lane.replaced = cv::countNonZero(result.replaced);
-          lane.unknown = cv::countNonZero(result.unknown);
-          folder_.write(index, result);
-        });
+    lane.worker->start([this, &lane, view, dynamic, views = std::move(views), image = *frame.image,
+                        depth_timestamp = frame.depth_timestamp] {
+      const InpaintedFrame result =
+          view ? inpainter_.inpaint(image, *view, dynamic, views) : inpainter_.blank(image, dynamic);
+      lane.replaced = cv::countNonZero(result.replaced);
+      lane.unknown = cv::countNonZero(result.unknown);
+      folder_.write(image.timestamp, depth_timestamp, result);
+    });
   }
 
   void finish(Lane& lane) {

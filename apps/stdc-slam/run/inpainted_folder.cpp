@@ -11,7 +11,7 @@ namespace {
 
 TumTarget target(const fs::path& folder, const SequenceInput& input) {
   std::error_code problem;
-  if (fs::equivalent(folder, input.sequence.folder(), problem)) {
+  if (fs::equivalent(folder, input.source().where(), problem)) {
     throw Error(folder.string(), "is the folder of the sequence itself", "give another --inpaint folder");
   }
   return {folder,
@@ -23,20 +23,27 @@ TumTarget target(const fs::path& folder, const SequenceInput& input) {
 
 }  // namespace
 
+void write_truth(const SequenceInput& input, TumWriter& writer) {
+  std::error_code problem;
+  if (input.source().kind() == "tum" && fs::exists(input.truth_path(), problem)) {
+    writer.copy_file("groundtruth.txt", input.truth_path());
+  } else if (input.truth) {
+    writer.write_text("groundtruth.txt", format_trajectory(*input.truth));
+  }
+}
+
 InpaintedFolder::InpaintedFolder(const fs::path& folder, const SequenceInput& input)
     : input_(input), writer_(target(folder, input)) {}
 
-void InpaintedFolder::write(int index, const InpaintedFrame& frame) {
-  const SequenceFrame& source = input_.frames[static_cast<std::size_t>(index)];
-  writer_.write_image("rgb", source.timestamp, frame.colour);
-  writer_.write_image("depth", source.depth_timestamp, frame.depth);
-  writer_.write_image("unknown", source.timestamp, frame.unknown);
+void InpaintedFolder::write(double timestamp, double depth_timestamp, const InpaintedFrame& frame) {
+  writer_.write_image("rgb", timestamp, frame.colour);
+  writer_.write_image("depth", depth_timestamp, frame.depth);
+  writer_.write_image("unknown", timestamp, frame.unknown);
 }
 
 void InpaintedFolder::commit() {
   writer_.write_camera(input_.camera);
-  std::error_code problem;
-  if (fs::exists(input_.truth_path(), problem)) writer_.copy_file("groundtruth.txt", input_.truth_path());
+  write_truth(input_, writer_);
   writer_.commit();
 }
 

@@ -17,9 +17,9 @@ class InpaintedFolder {
   /// of the sequence, or if the place cannot be written to.
   InpaintedFolder(const std::filesystem::path& folder, const SequenceInput& input);
 
-  /// Writes the images of a frame of the input. Different frames may be written by different threads at once.
-  /// Throws Error if the disk is full or a file cannot be written.
-  void write(int index, const InpaintedFrame& frame);
+  /// Writes the images of a frame, at the times of its colour and depth images. Different frames may be written
+  /// by different threads at once. Throws Error if the disk is full or a file cannot be written.
+  void write(double timestamp, double depth_timestamp, const InpaintedFrame& frame);
   /// Puts the folder in its place. Throws Error.
   void commit();
 
@@ -30,5 +30,8 @@ class InpaintedFolder {
   const SequenceInput& input_;
   TumWriter writer_;
 };
+
+/// Writes the truth of an input as groundtruth.txt, if it has one: that of a TUM folder as it is.
+void write_truth(const SequenceInput& input, TumWriter& writer);
 
 }  // namespace stdc::app

@@ -13,10 +13,10 @@ constexpr double kBarInterval = 0.1, kLineInterval = 5;  // [s]
 
 }  // namespace
 
-Progress::Progress(std::string label, std::string unit, int total, bool quiet)
+Progress::Progress(std::string label, std::string unit, std::optional<int> total, bool quiet)
     : label_(std::move(label)),
       unit_(std::move(unit)),
-      total_(std::max(1, total)),
+      total_(total ? std::optional(std::max(1, *total)) : std::nullopt),
       quiet_(quiet),
       terminal_(isatty(STDERR_FILENO) == 1) {}
 
@@ -40,19 +40,30 @@ void Progress::update(int done, std::string_view note) {
 }
 
 void Progress::draw_bar(int done, std::string_view note, Clock::time_point now) {
-  constexpr int kWidth = 30;
-  const int filled = std::clamp(kWidth * done / total_, 0, kWidth);
   const double seconds = seconds_since_start(now);
-  const double rest = done > 0 ? seconds / done * (total_ - done) : 0;
-  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {}/{} {}, {:.1f}/s, {:.0f} s left{}", label_, "", filled,
-             "", kWidth - filled, done, total_, unit_, done / std::max(seconds, 1e-3), rest, note);
-  std::fflush(stderr);
   bar_is_there_ = true;
+  if (!total_) {
+    fmt::print(stderr, "\r\033[K{} {} {}, {:.1f}/s{}", label_, done, unit_, done / std::max(seconds, 1e-3),
+               note);
+    std::fflush(stderr);
+    return;
+  }
+  constexpr int kWidth = 30;
+  const int filled = std::clamp(kWidth * done / *total_, 0, kWidth);
+  const double rest = done > 0 ? seconds / done * (*total_ - done) : 0;
+  fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {}/{} {}, {:.1f}/s, {:.0f} s left{}", label_, "", filled,
+             "", kWidth - filled, done, *total_, unit_, done / std::max(seconds, 1e-3), rest, note);
+  std::fflush(stderr);
 }
 
 void Progress::print_line(int done, std::string_view note, Clock::time_point now) {
-  fmt::print(stderr, "{}: {} of {} {} ({} %), {:.1f} a second{}\n", label_, done, total_, unit_,
-             100 * static_cast<long>(done) / total_, done / std::max(seconds_since_start(now), 1e-3), note);
+  const double rate = done / std::max(seconds_since_start(now), 1e-3);
+  if (!total_) {
+    fmt::print(stderr, "{}: {} {}, {:.1f} a second{}\n", label_, done, unit_, rate, note);
+    return;
+  }
+  fmt::print(stderr, "{}: {} of {} {} ({} %), {:.1f} a second{}\n", label_, done, *total_, unit_,
+             100 * static_cast<long>(done) / *total_, rate, note);
 }
 
 void Progress::message(std::string_view line) {

@@ -1,17 +1,20 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace stdc::app {
 
-/// Tells on stderr how far a long job is: a bar on a terminal, else a line every 5 s, or nothing.
+/// Tells on stderr how far a long job is: a bar on a terminal (only the count where the end is not known),
+/// else a line every 5 s, or nothing.
 class Progress {
  public:
   /// @param label  what is being done, e.g. "tracking"
   /// @param unit   what is counted, in the plural, e.g. "frames"
-  Progress(std::string label, std::string unit, int total, bool quiet);
+  /// @param total  how many there are; nothing: not known
+  Progress(std::string label, std::string unit, std::optional<int> total, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -30,7 +33,7 @@ class Progress {
   void print_line(int done, std::string_view note, Clock::time_point now);
 
   std::string label_, unit_;
-  int total_;
+  std::optional<int> total_;
   bool quiet_, terminal_;
   bool bar_is_there_ = false;
   Clock::time_point start_ = Clock::now(), last_ = start_;

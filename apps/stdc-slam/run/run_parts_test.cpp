@@ -29,11 +29,18 @@ std::size_t entries(const fs::path& folder) {
 }
 
 TEST(ParseFrameRange, TakesEitherEnd) {
-  EXPECT_EQ(parse_frame_range("", 10), std::pair(0, 10));
-  EXPECT_EQ(parse_frame_range("2:5", 10), std::pair(2, 5));
-  EXPECT_EQ(parse_frame_range(":5", 10), std::pair(0, 5));
-  EXPECT_EQ(parse_frame_range("7:", 10), std::pair(7, 10));
-  EXPECT_EQ(parse_frame_range(":", 10), std::pair(0, 10));
+  EXPECT_EQ(parse_frame_range("", 10), (FrameRange{0, 10}));
+  EXPECT_EQ(parse_frame_range("2:5", 10), (FrameRange{2, 5}));
+  EXPECT_EQ(parse_frame_range(":5", 10), (FrameRange{0, 5}));
+  EXPECT_EQ(parse_frame_range("7:", 10), (FrameRange{7, 10}));
+  EXPECT_EQ(parse_frame_range(":", 10), (FrameRange{0, 10}));
+}
+
+TEST(ParseFrameRange, WithoutAKnownLength) {
+  EXPECT_EQ(parse_frame_range("", {}), (FrameRange{0, {}}));
+  EXPECT_EQ(parse_frame_range("7:", {}), (FrameRange{7, {}}));
+  EXPECT_EQ(parse_frame_range("7:900", {}), (FrameRange{7, 900}));
+  EXPECT_NE(message_of([] { parse_frame_range("7:7", {}); }).find("7:7 is empty"), std::string::npos);
 }
 
 TEST(ParseFrameRange, RefusesTheRest) {
@@ -109,13 +116,14 @@ TEST(FrameLoader, GivesAllFramesInOrder) {
   const TestFolder folder;
   stdc::test::write_test_sequence(folder, "s", 12);
   fs::resize_file(folder / "s/rgb/4.png", 50);
-  const TumSequence sequence(folder / "s");
-  FrameLoader loader(sequence.frames(), stdc::test::test_camera(), ColourMode::grey, 2);
+  const SequenceInput input({folder / "s", {}, "", {}});
+  FrameLoader loader(input, ColourMode::grey, 2);
+  const std::vector<double> times = input.frame_times().value();
   for (int i = 0; i < 12; ++i) {
     const auto frame = loader.next();
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->index, i);
-    EXPECT_EQ(frame->timestamp, sequence.frames()[static_cast<std::size_t>(i)].timestamp);
+    EXPECT_EQ(frame->timestamp, times[static_cast<std::size_t>(i)]);
     EXPECT_EQ(frame->image.has_value(), i != 4);
     EXPECT_EQ(frame->error.has_value(), i == 4);
   }
@@ -126,10 +134,12 @@ TEST(FrameLoader, GivesAllFramesInOrder) {
 TEST(FrameLoader, CanBeLeftEarly) {
   const TestFolder folder;
   stdc::test::write_test_sequence(folder, "s", 6);
-  const TumSequence sequence(folder / "s");
-  FrameLoader untouched(sequence.frames(), stdc::test::test_camera(), ColourMode::as_stored);
-  FrameLoader loader(sequence.frames(), stdc::test::test_camera(), ColourMode::as_stored);
-  EXPECT_TRUE(loader.next());
+  const SequenceInput input({folder / "s", {}, "2:", {}});
+  { const FrameLoader untouched(input, ColourMode::as_stored); }
+  FrameLoader loader(input, ColourMode::as_stored);
+  const auto frame = loader.next();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->name, "2") << "rewound, and to the first of the chosen frames";
 }
 
 TEST(InterruptWatch, HoldsTheSignalBack) {

@@ -6,7 +6,7 @@
 
 namespace stdc::app {
 
-RunScore score_run(const SequenceInput& input, const Trajectory& estimate) {
+RunScore score_run(const SequenceInput& input, const Trajectory& estimate, int frames) {
   constexpr double kMaxDifference = 0.02;  // [s]
   constexpr std::size_t kMinPoses = 3;
   RunScore result;
@@ -20,8 +20,8 @@ RunScore score_run(const SequenceInput& input, const Trajectory& estimate) {
   result.convention = recognise_convention(*input.truth, estimate);
   if (!result.convention.usual()) result.warning = fmt::format("{}: {}", file, result.convention.note());
   try {
-    result.scores = score_trajectory(apply_convention(*input.truth, result.convention), estimate,
-                                     kMaxDifference, static_cast<int>(input.frames.size()));
+    result.scores =
+        score_trajectory(apply_convention(*input.truth, result.convention), estimate, kMaxDifference, frames);
   } catch (const Error& error) {
     result.not_scored = error.problem();
     // With fewer poses the truth is not to blame.

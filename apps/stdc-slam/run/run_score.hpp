@@ -18,7 +18,7 @@ struct RunScore {
   std::string warning;
 };
 
-/// Scores the poses of a run over all frames of `input`.
-RunScore score_run(const SequenceInput& input, const Trajectory& estimate);
+/// Scores the poses of a run over `frames` frames of `input`.
+RunScore score_run(const SequenceInput& input, const Trajectory& estimate, int frames);
 
 }  // namespace stdc::app

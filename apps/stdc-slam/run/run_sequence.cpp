@@ -30,9 +30,9 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
                      const RunTrajectories& trajectories) {
   RunSummary summary;
   summary.sequence = input.name;
-  summary.camera = format_camera(input.camera);
-  summary.first_frame = input.first_frame;
-  summary.colour_without_depth = input.sequence.colour_without_depth();
+  summary.camera = format_cameras(input.cameras);
+  summary.first_frame = input.first_frame();
+  summary.colour_without_depth = input.source().colour_without_depth();
   summary.poses = static_cast<int>(trajectories.frames.size());
   for (const auto& [map, frames] : trajectories.others)
     summary.poses_elsewhere += static_cast<int>(frames.size());
@@ -40,7 +40,7 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
   summary.keyframes = slam.keyframes();
   summary.landmarks = slam.landmarks();
   summary.truth = input.truth_file;
-  summary.score = score_run(input, trajectories.frames);
+  summary.score = score_run(input, trajectories.frames, record.counts().total());
   if (!summary.score.warning.empty()) fmt::print(stderr, "stdc-slam: {}\n", summary.score.warning);
   if (summary.score.scores) {
     summary.consistency =
@@ -76,9 +76,9 @@ void check_place_for_map(const RunOptions& options) {
   }
 }
 
-void say_nothing_came_of_it(const RunOptions& options, const SequenceInput& input) {
-  fmt::print(stderr, "stdc-slam: {}: not one of {} frames {}; {}{}\n", options.sequence.string(),
-             input.frames.size(), options.localisation_only ? "was located in the map" : "got a pose",
+void say_nothing_came_of_it(const RunOptions& options, int frames) {
+  fmt::print(stderr, "stdc-slam: {}: not one of {} frames {}; {}{}\n", options.input.path.string(), frames,
+             options.localisation_only ? "was located in the map" : "got a pose",
              options.save_map ? options.save_map->string() + " was not written; " : "",
              "check images, depth and camera");
 }
@@ -139,10 +139,11 @@ bool run_sequence(const RunOptions& options) {
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
   check_inpainting(options, settings);
-  const SequenceInput input(options.sequence, options.camera, options.frames, options.rate);
-  auto segmenter = chosen_segmenter(options.segmentation, settings, options.sequence, input.camera.rotation);
+  const SequenceInput input(options.input);
+  auto segmenter =
+      chosen_segmenter(options.segmentation, settings, options.input.path, input.camera.rotation);
   if (settings.segmentation.source == SegmentationSource::masks)
-    check_masks(mask_folder(options.segmentation, options.sequence), input);
+    check_masks(mask_folder(options.segmentation, options.input.path), input);
   std::optional<InpaintedFolder> inpainted;
   if (options.inpaint) {
     inpainted.emplace(*options.inpaint, input);
@@ -193,7 +194,7 @@ bool run_sequence(const RunOptions& options) {
   const bool saves_map = options.save_map && slam.keyframes() > 0;
   if (saves_map) slam.save_map(*options.save_map);
   output.commit();
-  if (!found) say_nothing_came_of_it(options, input);
+  if (!found) say_nothing_came_of_it(options, record.counts().total());
   if (options.quiet) return found;
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
   if (saves_map) fmt::print("map: {}\n", options.save_map->string());

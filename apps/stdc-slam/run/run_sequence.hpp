@@ -6,18 +6,18 @@
 
 #include "commands/segmentation_options.hpp"
 #include "commands/settings_options.hpp"
+#include "run/sequence_input.hpp"
 
 namespace stdc::app {
 
 /// What `stdc-slam run` was asked to do.
 struct RunOptions {
-  std::filesystem::path sequence, output;
-  std::optional<std::filesystem::path> camera, debug_images, save_masks, true_masks, inpaint;
+  InputOptions input;
+  std::filesystem::path output;
+  std::optional<std::filesystem::path> debug_images, save_masks, true_masks, inpaint;
   std::optional<std::filesystem::path> load_map, save_map;
   SettingsOptions settings;
   SegmentationOptions segmentation;
-  std::optional<double> rate;      ///< [Hz] takes the order of the lines for the time
-  std::string frames;              ///< "A:B": frames A..B-1 of the sequence; either may be missing
   int debug_every = 10;            ///< a picture of every n-th frame
   bool localisation_only = false;  ///< leave the loaded map as it is
   bool realtime = false;           ///< frames come at the pace of their timestamps

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/error.hpp"
-#include "run/frame_range.hpp"
+#include "input/camera_file.hpp"
 
 namespace stdc::app {
 namespace {
@@ -16,24 +17,27 @@ std::string name_of(const std::filesystem::path& folder) {
   return (failed ? folder : whole).filename().string();
 }
 
+RgbdCameras find_cameras(const FrameSource& source, const std::optional<std::filesystem::path>& file) {
+  if (file) return read_cameras(*file);
+  if (auto cameras = source.cameras()) return *cameras;
+  throw Error(source.where(), "its camera is not known", source.camera_hint());
+}
+
 }  // namespace
 
-SequenceInput::SequenceInput(const std::filesystem::path& folder,
-                             const std::optional<std::filesystem::path>& camera_file,
-                             const std::string& range, std::optional<double> rate)
-    : sequence(folder, rate), name(name_of(folder)), camera(find_camera(sequence, camera_file)) {
-  if (sequence.has_ground_truth()) {
-    truth_file = sequence.ground_truth();
+SequenceInput::SequenceInput(const InputOptions& options)
+    : name(name_of(options.path)), source_(open_source(options.path, options.source)) {
+  cameras = find_cameras(*source_, options.camera);
+  for (const std::string& note : source_->notes()) fmt::print(stderr, "stdc-slam: {}\n", note);
+  truth_file = source_->ground_truth();
+  if (truth_file) {
     if (!truth_file->poses.empty()) truth = truth_file->poses;
     // Of a truth without any pose more is said than that, by what would use it.
     if (const std::string note = truth_file->note(); truth && !note.empty()) {
       fmt::print(stderr, "stdc-slam: {}: {}\n", truth_path().string(), note);
     }
   }
-  const auto [first, end] = parse_frame_range(range, static_cast<int>(sequence.frames().size()));
-  first_frame = first;
-  frames = std::span(sequence.frames())
-               .subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
+  range_ = parse_frame_range(options.frames, source_->frame_count());
 }
 
 std::string SequenceInput::why_no_truth() const {
@@ -47,6 +51,30 @@ const Trajectory& SequenceInput::required_truth() const {
   throw Error(truth_path().string(), why_no_truth(),
               truth_file ? std::string("write each line as: timestamp tx ty tz qx qy qz qw")
                          : "give a sequence whose poses are known");
+}
+
+FrameSource& SequenceInput::start() const {
+  if (used_) {
+    if (!source_->can_rewind()) {
+      throw Error(source_->where(), "cannot be gone through a second time", "record it first");
+    }
+    source_->rewind();
+  }
+  used_ = true;
+  return *source_;
+}
+
+std::optional<int> SequenceInput::frame_count() const {
+  if (!range_.end) return std::nullopt;
+  return *range_.end - range_.first;
+}
+
+std::optional<std::vector<double>> SequenceInput::frame_times() const {
+  auto times = source_->frame_times();
+  if (!times) return std::nullopt;
+  const auto count = static_cast<int>(times->size());
+  const auto first = times->begin() + std::min(range_.first, count);
+  return std::vector<double>(first, times->begin() + std::min(range_.end.value_or(count), count));
 }
 
 }  // namespace stdc::app

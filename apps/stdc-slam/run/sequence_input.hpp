@@ -1,42 +1,64 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "core/camera.hpp"
-#include "input/layouts/tum_sequence.hpp"
+#include "input/frame_source.hpp"
+#include "input/open_source.hpp"
 #include "input/trajectory.hpp"
+#include "run/frame_range.hpp"
 
 namespace stdc::app {
 
+/// What the user says of an input.
+struct InputOptions {
+  std::filesystem::path path;                   ///< file or folder
+  std::optional<std::filesystem::path> camera;  ///< camera file; goes before what the input says
+  std::string frames;                           ///< "A:B": frames A..B-1; either may be missing
+  SourceOptions source;
+};
+
 /// A sequence made ready to run on.
-struct SequenceInput {
-  /// @param camera  camera file; goes before that of the sequence
-  /// @param rate    [Hz] see TumSequence
-  /// @param range   "A:B", frames A..B-1; either may be missing
-  /// Throws Error for whatever is wrong with the lists, the camera or the range.
-  SequenceInput(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& camera,
-                const std::string& range, std::optional<double> rate = {});
+class SequenceInput {
+ public:
+  /// Opens the input, says on stderr how it was understood where that is not plain, and reads the ground
+  /// truth. Throws Error for whatever is wrong with the input, the camera or the range.
+  explicit SequenceInput(const InputOptions& options);
+  SequenceInput(const SequenceInput&) = delete;
+  SequenceInput& operator=(const SequenceInput&) = delete;
 
   /// Where a ground truth is, or would be.
-  std::filesystem::path truth_path() const { return sequence.folder() / "groundtruth.txt"; }
+  std::filesystem::path truth_path() const { return source_->truth_where(); }
   /// Why there is no `truth`, as Error words it: no such file, or no pose in it.
   std::string why_no_truth() const;
   /// The truth, for what makes no sense without it. Throws Error if there is none.
   const Trajectory& required_truth() const;
 
-  SequenceInput(const SequenceInput&) = delete;
-  SequenceInput& operator=(const SequenceInput&) = delete;
+  /// The source at its first frame, which is not yet one of the chosen ones if first_frame() is not 0. Throws
+  /// Error if it was used before and cannot be rewound.
+  FrameSource& start() const;
+  const FrameSource& source() const { return *source_; }
+  int first_frame() const { return range_.first; }
+  /// The frame after the last chosen one, if that is known before it is reached.
+  std::optional<int> end_frame() const { return range_.end; }
+  /// How many frames are chosen, if that is known before the end.
+  std::optional<int> frame_count() const;
+  /// Times of the chosen frames [s], if they are known without reading them.
+  std::optional<std::vector<double>> frame_times() const;
 
-  TumSequence sequence;
-  std::string name;  ///< of the folder
-  Camera camera;
+  std::string name;  ///< of the folder or file
+  RgbdCameras cameras;
+  const Camera& camera = cameras.colour;
   std::optional<Trajectory> truth;        ///< if it has any pose
   std::optional<GroundTruth> truth_file;  ///< the same as read, with what was left out
-  int first_frame = 0;
-  std::span<const SequenceFrame> frames;  ///< the chosen ones, of `sequence`
+
+ private:
+  std::unique_ptr<FrameSource> source_;
+  mutable bool used_ = false;
+  FrameRange range_;
 };
 
 }  // namespace stdc::app

@@ -62,17 +62,31 @@ class Pacer {
   Clock::time_point start_, release_;
 };
 
+/// What came to light while the frames were read. Throws Error if there was none.
+void check_end(const SequenceInput& input, int frames, Progress& progress) {
+  for (const std::string& fault : input.source().faults()) progress.message("stdc-slam: " + fault);
+  const std::optional<int> end = input.end_frame();
+  if (frames > 0 && (!end || input.first_frame() + frames >= *end)) return;
+  const std::string found = fmt::format("ends before frame {}", input.first_frame() + frames);
+  if (frames == 0) {
+    throw Error(input.source().where(), input.first_frame() == 0 ? "holds no frame" : found,
+                "stdc-slam info shows what is in it");
+  }
+  progress.message(
+      fmt::format("stdc-slam: {}: {}; --frames asks for {}", input.source().where(), found, *end));
+}
+
 }  // namespace
 
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
                   Slam& slam, RunRecord& record, const FrameOutputs& outputs) {
-  FrameLoader loader(input.frames, input.camera, options.colour);
-  Progress progress(options.label, "frames", static_cast<int>(input.frames.size()), options.quiet);
+  FrameLoader loader(input, options.colour);
+  Progress progress(options.label, "frames", input.frame_count(), options.quiet);
   FaultReport faults(progress);
   Pacer pacer(options.realtime);
   Stopwatch stopwatch;
   while (const auto frame = loader.next()) {
-    const int number = input.first_frame + frame->index;
+    const int number = input.first_frame() + frame->index;
     // Then the camera or the whole sequence is wrong.
     if (frame->error && frame->index == 0) throw *frame->error;
     if (frame->error) faults.add(number, frame->error->what(), "is skipped");
@@ -91,12 +105,14 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
     if (outputs.mask_record != nullptr) outputs.mask_record->add_frame(result);
     if (interrupts.interrupted()) {
       // Said here, because the signal ends the program as soon as the watch is gone.
-      progress.message(fmt::format("stdc-slam: interrupted after {} of {} frames; nothing was written",
-                                   frame->index + 1, input.frames.size()));
+      const auto count = input.frame_count();
+      progress.message(fmt::format("stdc-slam: interrupted after {}{} frames; nothing was written",
+                                   frame->index + 1, count ? fmt::format(" of {}", *count) : ""));
       throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
     }
     progress.update(frame->index + 1);
   }
+  check_end(input, record.counts().total(), progress);
   for (const LoopReport& loop : slam.finish()) record.add(loop);
   record.set_processing_seconds(1e-3 * stopwatch.lap_ms());
 }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "input/layouts/tum_sequence.hpp"
+#include "core/image_codec.hpp"
 #include "report/debug_images.hpp"
 #include "report/run_record.hpp"
 #include "run/interrupt_watch.hpp"
@@ -30,7 +30,7 @@ struct FrameOutputs {
 };
 
 /// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and
-/// survived. Throws Error if the first one cannot be read, or if the program is interrupted.
+/// survived. Throws Error if there is none or the first one cannot be read, or if the program is interrupted.
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
                   Slam& slam, RunRecord& record, const FrameOutputs& outputs = {});
 

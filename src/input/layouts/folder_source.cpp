@@ -42,6 +42,13 @@ std::optional<SourceFrame> FolderSource::next() {
   return frame;
 }
 
+std::optional<std::vector<double>> FolderSource::frame_times() const {
+  std::vector<double> times;
+  times.reserve(contents_.frames.size());
+  for (const FolderFrame& frame : contents_.frames) times.push_back(frame.timestamp);
+  return times;
+}
+
 std::optional<GroundTruth> FolderSource::ground_truth() const {
   if (!contents_.read_truth) return std::nullopt;
   return contents_.read_truth();

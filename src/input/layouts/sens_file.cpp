@@ -238,6 +238,12 @@ class SensSource final : public FrameSource {
   }
   void rewind() override { at_ = 0; }
   std::optional<int> frame_count() const override { return static_cast<int>(index_.frames.size()); }
+  std::optional<std::vector<double>> frame_times() const override {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < index_.frames.size(); ++i)
+      times.push_back(time(i, index_.frames[i].colour_time));
+    return times;
+  }
   std::optional<RgbdCameras> cameras() const override { return cameras_; }
   std::optional<GroundTruth> ground_truth() const override {
     GroundTruth truth;
