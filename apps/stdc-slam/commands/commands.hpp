@@ -6,9 +6,11 @@ namespace stdc::app {
 
 // Each adds its subcommand to the program; the work is done in the subcommand's callback, which throws
 // stdc::Error for whatever the user can correct (exit code 2).
+void add_convert_command(Command program);
 void add_evaluate_command(Command program);
 void add_ablation_command(Command program);
 void add_features_command(Command program);
+void add_info_command(Command program);
 void add_map_command(Command program);
 void add_places_command(Command program);
 void add_render_command(Command program);

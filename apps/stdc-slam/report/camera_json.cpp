@@ -4,10 +4,12 @@
 #include <string_view>
 
 #include "core/text_file.hpp"
+#include "input/camera_file.hpp"
 
 namespace stdc::app {
 
-nlohmann::ordered_json camera_to_json(const std::string& camera_file) {
+nlohmann::ordered_json camera_to_json(const Camera& of) {
+  const std::string camera_file = format_camera(of);
   nlohmann::ordered_json camera;
   LineReader lines(camera_file);
   std::string_view line;
@@ -22,6 +24,17 @@ nlohmann::ordered_json camera_to_json(const std::string& camera_file) {
     }
   }
   return camera;
+}
+
+nlohmann::ordered_json cameras_to_json(const RgbdCameras& cameras) {
+  nlohmann::ordered_json json = camera_to_json(cameras.colour);
+  if (!cameras.depth) return json;
+  const Eigen::Vector3d& t = cameras.depth->colour_from_depth.translation;
+  const Eigen::Quaterniond& q = cameras.depth->colour_from_depth.rotation;
+  nlohmann::ordered_json& depth = json["depth_camera"] = camera_to_json(cameras.depth->camera);
+  depth["translation"] = {t.x(), t.y(), t.z()};
+  depth["quaternion"] = {q.x(), q.y(), q.z(), q.w()};
+  return json;
 }
 
 }  // namespace stdc::app

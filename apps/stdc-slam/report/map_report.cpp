@@ -106,7 +106,7 @@ std::string map_report_json(const MapReport& report) {
   nlohmann::ordered_json json{{"file", report.file},
                               {"version", report.version},
                               {"bytes", report.bytes},
-                              {"camera", camera_to_json(format_camera(report.camera))}};
+                              {"camera", camera_to_json(report.camera)}};
   const MapContent all = total(report);
   json["keyframes"] = all.keyframes;
   json["landmarks"] = all.landmarks;

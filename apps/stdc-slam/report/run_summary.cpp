@@ -104,7 +104,7 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
   }
   if (summary.masks) json["mask_scores"] = mask_scores_to_json(*summary.masks);
   if (!summary.score.not_scored.empty()) json["not_scored"] = summary.score.not_scored;
-  json["camera"] = camera_to_json(summary.camera);
+  json["camera"] = cameras_to_json(summary.cameras);
   json["settings"] = settings_to_json(settings);
   return json.dump(2) + "\n";
 }

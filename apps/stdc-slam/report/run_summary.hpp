@@ -5,6 +5,7 @@
 
 #include "evaluation/pose_consistency.hpp"
 #include "input/ground_truth.hpp"
+#include "input/rgbd_cameras.hpp"
 #include "report/run_record.hpp"
 #include "run/mask_scoring.hpp"
 #include "run/process_usage.hpp"
@@ -16,7 +17,7 @@ namespace stdc::app {
 /// Everything that a finished run tells about itself.
 struct RunSummary {
   std::string sequence;
-  std::string camera;  ///< its text, as in camera.yaml
+  RgbdCameras cameras;
   int first_frame = 0;
   int colour_without_depth = 0;
   int poses = 0;            ///< frames that have one in the map of trajectory.txt

@@ -77,6 +77,7 @@ LoadedFrame FrameLoader::load(const SourceFrame& source) const {
   frame.timestamp = source.timestamp;
   frame.depth_timestamp = source.depth_timestamp;
   frame.name = source.name;
+  frame.imu = source.imu;
   try {
     frame.image = decoder_.decode(source, mode_);
   } catch (const Error& error) {

@@ -20,6 +20,7 @@ struct LoadedFrame {
   double timestamp = 0;
   double depth_timestamp = 0;
   std::string name;  ///< see SourceFrame
+  std::vector<ImuSample> imu;
   std::optional<RgbdImage> image;
   std::optional<Error> error;  ///< set if there is no image
 };

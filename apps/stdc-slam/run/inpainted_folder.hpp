@@ -17,8 +17,8 @@ class InpaintedFolder {
   /// of the sequence, or if the place cannot be written to.
   InpaintedFolder(const std::filesystem::path& folder, const SequenceInput& input);
 
-  /// Writes the images of a frame, at the times of its colour and depth images. Different frames may be written
-  /// by different threads at once. Throws Error if the disk is full or a file cannot be written.
+  /// Writes the images of a frame, at the times of its colour and depth images. Different frames may be
+  /// written by different threads at once. Throws Error if the disk is full or a file cannot be written.
   void write(double timestamp, double depth_timestamp, const InpaintedFrame& frame);
   /// Puts the folder in its place. Throws Error.
   void commit();

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "input/camera_file.hpp"
 #include "report/debug_images.hpp"
 #include "report/run_record.hpp"
 #include "report/run_summary.hpp"
@@ -30,7 +29,7 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
                      const RunTrajectories& trajectories) {
   RunSummary summary;
   summary.sequence = input.name;
-  summary.camera = format_cameras(input.cameras);
+  summary.cameras = input.cameras;
   summary.first_frame = input.first_frame();
   summary.colour_without_depth = input.source().colour_without_depth();
   summary.poses = static_cast<int>(trajectories.frames.size());

@@ -1,0 +1,63 @@
+// stdc-slam convert: any input as a folder in TUM RGB-D layout.
+#include <fmt/format.h>
+
+#include <memory>
+#include <opencv2/core/utility.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/input_options.hpp"
+#include "run/convert_input.hpp"
+
+namespace stdc::app {
+namespace {
+
+struct Options {
+  InputOptions input;
+  std::filesystem::path output;
+  bool overwrite = false, quiet = false;
+};
+
+void convert(const Options& options) {
+  const InterruptWatch interrupts;
+  cv::setNumThreads(1);  // as in `run`
+  const SequenceInput input(options.input);
+  const ConvertReport report =
+      convert_input(input, options.output, options.overwrite, options.quiet, interrupts);
+  if (report.too_far > 0) {
+    fmt::print(stderr, "stdc-slam: {}: {} depths of more than {:.1f} m are written as missing\n",
+               options.input.path.string(), report.too_far, 65535 / input.camera.depth_units_per_metre);
+  }
+  if (options.quiet) return;
+  fmt::print("{} frames{}{}{}: {}\n", report.frames,
+             input.truth ? fmt::format(", {} true poses", input.truth->size()) : "",
+             report.imu_readings > 0 ? fmt::format(", {} readings of the IMU", report.imu_readings) : "",
+             report.unreadable > 0 ? fmt::format(", {} frames left out", report.unreadable) : "",
+             options.output.string());
+}
+
+constexpr const char* kFooter = R"(
+The folder gets the layout of the TUM RGB-D benchmark: rgb/, depth/ (16 bit, registered to rgb, 0 = missing), rgb.txt,
+depth.txt, camera.yaml, and, if the input has them, groundtruth.txt and imu.txt. Images are written without loss:
+`run` on the folder gives what it gives on the input. It appears at the end, whole, or not at all.
+
+Examples:
+  stdc-slam convert recording.bag --output recording
+  stdc-slam convert scene0000_00.sens --output scene --frames 0:500
+  stdc-slam convert chess/seq-01 --output chess-01 --camera kinect.yaml)";
+
+}  // namespace
+
+void add_convert_command(Command program) {
+  auto options = std::make_shared<Options>();
+  Command command = program.add_subcommand("convert", "Write an input as a folder in TUM RGB-D layout");
+  command.add_option("INPUT", options->input.path, kInputHelp).required();
+  command.add_option("--output,-o", options->output, "Folder to be made").required();
+  add_input_options(command, options->input);
+  add_frames_option(command, options->input);
+  command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
+  command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
+  command.footer(kFooter);
+  command.callback([options] { convert(*options); });
+}
+
+}  // namespace stdc::app

@@ -1,0 +1,61 @@
+// stdc-slam info: what an input is, and what is likely to be wrong with it.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands/commands.hpp"
+#include "commands/input_options.hpp"
+#include "input/camera_file.hpp"
+#include "report/info_report.hpp"
+#include "run/progress.hpp"
+
+namespace stdc::app {
+namespace {
+
+struct Options {
+  InputOptions input;
+  int looked_at = 60;
+  bool json = false, quiet = false;
+};
+
+void show_info(const Options& options) {
+  const auto source = open_source(options.input.path, options.input.source);
+  std::optional<RgbdCameras> cameras;
+  if (options.input.camera) cameras = read_cameras(*options.input.camera);
+  InputSurvey survey;
+  {
+    Progress progress("looking", "frames", source->frame_count(), options.quiet);
+    survey = survey_input(*source, cameras, options.looked_at, [&](int done) { progress.update(done); });
+  }
+  const std::vector<std::string> warnings = survey_warnings(survey);
+  fmt::print("{}", options.json ? info_json(survey, warnings) : info_text(survey, warnings));
+}
+
+constexpr const char* kFooter = R"(
+Goes through the whole input, decodes some of its frames, and tells its kind and streams, how many frames there are
+and how regularly they come, the camera, and how much depth there is. Warnings tell what is likely to be wrong:
+gaps, depth in another unit than the camera file says, depth that is not registered to the colour images, a camera of
+another image size.
+
+Examples:
+  stdc-slam info rgbd_dataset_freiburg1_xyz
+  stdc-slam info recording.bag --json
+  stdc-slam info my-sequence --camera my-camera.yaml)";
+
+}  // namespace
+
+void add_info_command(Command program) {
+  auto options = std::make_shared<Options>();
+  Command command = program.add_subcommand("info", "Tell what an input is, and what may be wrong with it");
+  command.add_option("INPUT", options->input.path, kInputHelp).required();
+  add_input_options(command, options->input);
+  command.add_option("--look-at", options->looked_at, "How many frames to decode, about")
+      .in_range(1, 100000)
+      .capture_default_str();
+  command.add_flag("--json", options->json, "Print JSON");
+  command.add_flag("--quiet,-q", options->quiet, "No progress");
+  command.footer(kFooter);
+  command.callback([options] { show_info(*options); });
+}
+
+}  // namespace stdc::app

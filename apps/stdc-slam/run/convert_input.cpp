@@ -1,0 +1,99 @@
+#include "run/convert_input.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "core/error.hpp"
+#include "input/layouts/tum_writer.hpp"
+#include "run/frame_loader.hpp"
+#include "run/inpainted_folder.hpp"
+#include "run/progress.hpp"
+
+namespace stdc::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+TumTarget target(const SequenceInput& input, const fs::path& folder, bool overwrite) {
+  std::error_code problem;
+  if (fs::equivalent(folder, input.source().where(), problem)) {
+    throw Error(folder.string(), "is the input itself", "give another --output folder");
+  }
+  TumTarget target;
+  target.folder = folder;
+  if (overwrite) target.replaceable = "rgb.txt";
+  target.hint = "choose another --output, or give --overwrite if it is a sequence";
+  return target;
+}
+
+/// Metres in units of 16 bits; what they cannot hold is missing.
+cv::Mat in_units(const cv::Mat& depth, double units, std::int64_t& too_far) {
+  if (depth.type() == CV_16UC1) return depth;
+  constexpr float kMax = 65535;
+  cv::Mat result(depth.size(), CV_16UC1, cv::Scalar(0));
+  for (int y = 0; y < depth.rows; ++y) {
+    const float* from = depth.ptr<float>(y);
+    std::uint16_t* to = result.ptr<std::uint16_t>(y);
+    for (int x = 0; x < depth.cols; ++x) {
+      if (!(from[x] > 0)) continue;
+      const float value = std::round(from[x] * static_cast<float>(units));
+      if (value <= kMax) {
+        to[x] = static_cast<std::uint16_t>(value);
+      } else {
+        ++too_far;
+      }
+    }
+  }
+  return result;
+}
+
+std::string format_imu(const std::vector<ImuSample>& samples) {
+  std::string text;
+  for (const ImuSample& s : samples) {
+    text += fmt::format("{:.6f} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n", s.timestamp, s.gyroscope.x(),
+                        s.gyroscope.y(), s.gyroscope.z(), s.acceleration.x(), s.acceleration.y(),
+                        s.acceleration.z());
+  }
+  return text;
+}
+
+}  // namespace
+
+ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, bool overwrite, bool quiet,
+                            const InterruptWatch& interrupts) {
+  TumWriter writer(target(input, folder, overwrite));
+  FrameLoader loader(input, ColourMode::as_stored);
+  Progress progress("converting", "frames", input.frame_count(), quiet);
+  ConvertReport report;
+  std::string imu;
+  while (const auto frame = loader.next()) {
+    if (frame->error) {
+      if (frame->index == 0) throw *frame->error;  // then the camera or the whole input is wrong
+      ++report.unreadable;
+      progress.message(fmt::format("stdc-slam: {}; frame {} is left out", frame->error->what(),
+                                   input.first_frame() + frame->index));
+      continue;
+    }
+    writer.write_image("rgb", frame->timestamp, frame->image->colour);
+    writer.write_image("depth", frame->depth_timestamp,
+                       in_units(frame->image->depth, input.camera.depth_units_per_metre, report.too_far));
+    imu += format_imu(frame->imu);
+    report.imu_readings += static_cast<int>(frame->imu.size());
+    progress.update(++report.frames);
+    if (interrupts.interrupted())
+      throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
+  }
+  progress.finish();
+  for (const std::string& fault : input.source().faults()) progress.message("stdc-slam: " + fault);
+  if (report.frames == 0)
+    throw Error(input.source().where(), "holds no frame", "stdc-slam info shows what is in it");
+  writer.write_camera(input.camera);
+  write_truth(input, writer);
+  if (!imu.empty()) writer.write_text("imu.txt", "# timestamp wx wy wz ax ay az\n" + imu);
+  writer.commit();
+  return report;
+}
+
+}  // namespace stdc::app
