@@ -36,6 +36,9 @@ class PackedImages {
   /// CV_16UC1 in Camera::depth_units_per_metre, 0 = missing, or CV_32FC1 in metres, <= 0 or NaN = missing; as
   /// recorded, not registered. Size and errors: as above.
   virtual cv::Mat depth(cv::Size size) const = 0;
+  /// The colour image as the PNG or JPEG that it is stored as; nothing if it is stored otherwise. Throws
+  /// Error if it cannot be read.
+  virtual std::optional<std::vector<std::uint8_t>> colour_file() const { return std::nullopt; }
 };
 
 /// A colour image and the depth image that belongs to it, still packed.

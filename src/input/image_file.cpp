@@ -10,15 +10,6 @@ namespace {
 
 constexpr const char* kHint = "restore the file or remove its line from the list";
 
-std::string read_image(const ImageFile& file) {
-  constexpr std::size_t kMaxImage = std::size_t{1} << 28U;
-  try {
-    return read_file(file.path, kHint, kMaxImage);
-  } catch (const Error& error) {
-    throw Error(file.where, error.problem(), error.hint());
-  }
-}
-
 Bytes bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -44,14 +35,23 @@ cv::Mat checked(DecodedImage decoded, const ImageFile& file) {
 
 }  // namespace
 
+std::string read_image_file(const ImageFile& file) {
+  constexpr std::size_t kMaxImage = std::size_t{1} << 28U;
+  try {
+    return read_file(file.path, kHint, kMaxImage);
+  } catch (const Error& error) {
+    throw Error(file.where, error.problem(), error.hint());
+  }
+}
+
 cv::Mat read_colour_file(const ImageFile& file, cv::Size size, ColourMode mode) {
-  const std::string text = read_image(file);
+  const std::string text = read_image_file(file);
   const Bytes bytes = bytes_of(text);
   return checked(decode_colour(bytes, expected_size(bytes, size), mode), file);
 }
 
 cv::Mat read_depth_file(const ImageFile& file, cv::Size size) {
-  const std::string text = read_image(file);
+  const std::string text = read_image_file(file);
   return checked(decode_any_depth(bytes_of(text), size), file);
 }
 

@@ -17,6 +17,8 @@ struct ImageFile {
 /// Throws Error naming the image for a missing, truncated or undecodable file, wrong size, wrong bit depth or
 /// channels.
 cv::Mat read_colour_file(const ImageFile& file, cv::Size size, ColourMode mode);
+/// The bytes of the file. Throws Error as above.
+std::string read_image_file(const ImageFile& file);
 /// CV_16UC1 as stored, or CV_32FC1.
 cv::Mat read_depth_file(const ImageFile& file, cv::Size size);
 

@@ -37,7 +37,8 @@ constexpr std::array kKinds{
                is_mcap_recording, open_recording_source, false, true},
     SourceKind{"db3", "SQLite recording of ROS 2, or a folder of rosbag2 with such files", is_db3_recording,
                open_recording_source, false, true},
-    SourceKind{"bag", "bag of ROS 1, also of RealSense", is_bag_recording, open_recording_source, false, true},
+    SourceKind{"bag", "bag of ROS 1, also of RealSense", is_bag_recording, open_recording_source, false,
+               true},
 };
 
 void check_options(const SourceKind& kind, const fs::path& path, const SourceOptions& options) {

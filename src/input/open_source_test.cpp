@@ -33,6 +33,14 @@ TEST(OpenSource, FindsATumFolder) {
   }
 }
 
+TEST(OpenSource, HandsOutColourAsItIsStored) {
+  const TestFolder folder;
+  test::write_tum_folder(folder, "s", 1);
+  const std::vector<std::uint8_t> jpeg = encode_jpeg(test::layout_colour(3));
+  folder.write("s/rgb/0.png", jpeg);  // whatever its name says
+  EXPECT_EQ(open_source(folder / "s")->next()->images->colour_file(), jpeg);
+}
+
 TEST(OpenSource, SaysWhatItCannotOpen) {
   const TestFolder folder;
   folder.write("a.xyz", std::string("?"));

@@ -140,6 +140,7 @@ void add_ablation_command(Command program) {
   command.add_option("INPUTS", options->sequences, std::string(kInputHelp) + ", with true poses").required();
   command.add_option("--output,-o", options->output, "Folder for ablation.md and ablation.json");
   add_input_options(command, options->input);
+  add_truth_option(command, options->input);
   add_frames_option(command, options->input);
   command
       .add_option("--masks-from", options->columns.masks_from,

@@ -29,7 +29,7 @@ void convert(const Options& options) {
   }
   if (options.quiet) return;
   fmt::print("{} frames{}{}{}: {}\n", report.frames,
-             input.truth ? fmt::format(", {} true poses", input.truth->size()) : "",
+             input.truth() ? fmt::format(", {} true poses", input.truth()->size()) : "",
              report.imu_readings > 0 ? fmt::format(", {} readings of the IMU", report.imu_readings) : "",
              report.unreadable > 0 ? fmt::format(", {} frames left out", report.unreadable) : "",
              options.output.string());
@@ -53,6 +53,7 @@ void add_convert_command(Command program) {
   command.add_option("INPUT", options->input.path, kInputHelp).required();
   command.add_option("--output,-o", options->output, "Folder to be made").required();
   add_input_options(command, options->input);
+  add_truth_option(command, options->input);
   add_frames_option(command, options->input);
   command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");

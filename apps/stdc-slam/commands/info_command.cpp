@@ -49,6 +49,7 @@ void add_info_command(Command program) {
   Command command = program.add_subcommand("info", "Tell what an input is, and what may be wrong with it");
   command.add_option("INPUT", options->input.path, kInputHelp).required();
   add_input_options(command, options->input);
+  add_truth_option(command, options->input);
   command.add_option("--look-at", options->looked_at, "How many frames to decode, about")
       .in_range(1, 100000)
       .capture_default_str();

@@ -25,6 +25,11 @@ void add_input_options(Command command, InputOptions& options) {
   command.add_option("--imu", source.imu_topic, "Topic of the inertial sensor").type_name("TOPIC");
 }
 
+void add_truth_option(Command command, InputOptions& options) {
+  command.add_option("--truth", options.source.truth_topic, "Topic of the true poses of a recording")
+      .type_name("TOPIC");
+}
+
 void add_frames_option(Command command, InputOptions& options) {
   command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0").type_name("A:B");
 }

@@ -12,6 +12,8 @@ constexpr const char* kInputHelp =
 /// Adds the options that say how an input is to be read: --camera, --rate, --input-kind and the topics of
 /// recordings. Not the input itself, nor --frames, which some commands have in their own form.
 void add_input_options(Command command, InputOptions& options);
+/// Adds --truth, for commands that score or hand on true poses.
+void add_truth_option(Command command, InputOptions& options);
 /// Adds --frames A:B.
 void add_frames_option(Command command, InputOptions& options);
 

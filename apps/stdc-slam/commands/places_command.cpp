@@ -70,7 +70,7 @@ ViewCounts run_test(const Options& options, const SequenceInput& input, PlaceRec
     if (i < input.first_frame() || (i - input.first_frame()) % options.step != 0) continue;
     if (counts.views++ == 0) counts.first_time = frame->timestamp;
     counts.last_time = frame->timestamp;
-    const auto pose = pose_at(*input.truth, frame->timestamp);
+    const auto pose = pose_at(*input.truth(), frame->timestamp);
     if (!pose) {
       ++counts.without_pose;
     } else {
@@ -231,6 +231,7 @@ void add_places_command(Command program) {
       .in_range(PlaceRecognitionTest::kRight, 1.0)
       .capture_default_str();
   add_input_options(command, options->input);
+  add_truth_option(command, options->input);
   command.add_option("--output", options->output, "Folder for places.csv and places.png (the curve)");
   command.add_flag("--json", options->json, "Print JSON");
   command.add_flag("--quiet", options->quiet, "No progress");

@@ -56,6 +56,7 @@ void add_options(Command command, RunOptions& options) {
   command.add_option("INPUT", options.input.path, kInputHelp).required();
   command.add_option("--output,-o", options.output, "Folder for the results; made if need be").required();
   add_input_options(command, options.input);
+  add_truth_option(command, options.input);
   add_settings_options(command, options.settings);
   add_motion_option(command, options.settings);
   add_segmentation_options(command, options.segmentation);

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <opencv2/core.hpp>
-
 #include "core/error.hpp"
+#include "input/depth_units.hpp"
 #include "input/layouts/tum_writer.hpp"
 #include "run/frame_loader.hpp"
 #include "run/inpainted_folder.hpp"
@@ -28,25 +26,15 @@ TumTarget target(const SequenceInput& input, const fs::path& folder, bool overwr
   return target;
 }
 
-/// Metres in units of 16 bits; what they cannot hold is missing.
-cv::Mat in_units(const cv::Mat& depth, double units, std::int64_t& too_far) {
-  if (depth.type() == CV_16UC1) return depth;
-  constexpr float kMax = 65535;
-  cv::Mat result(depth.size(), CV_16UC1, cv::Scalar(0));
-  for (int y = 0; y < depth.rows; ++y) {
-    const float* from = depth.ptr<float>(y);
-    std::uint16_t* to = result.ptr<std::uint16_t>(y);
-    for (int x = 0; x < depth.cols; ++x) {
-      if (!(from[x] > 0)) continue;
-      const float value = std::round(from[x] * static_cast<float>(units));
-      if (value <= kMax) {
-        to[x] = static_cast<std::uint16_t>(value);
-      } else {
-        ++too_far;
-      }
-    }
+/// As it is stored, if it is a file: a JPEG decoded to grey is not the same as decoded to colour and made
+/// grey.
+void write_colour(const LoadedFrame& frame, TumWriter& writer) {
+  const auto file = frame.packed->colour_file();
+  if (file && (is_png(*file) || is_jpeg(*file))) {
+    writer.write_image_file("rgb", frame.timestamp, is_png(*file) ? "png" : "jpg", *file);
+  } else {
+    writer.write_image("rgb", frame.timestamp, frame.image->colour);
   }
-  return result;
 }
 
 std::string format_imu(const std::vector<ImuSample>& samples) {
@@ -76,9 +64,10 @@ ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, 
                                    input.first_frame() + frame->index));
       continue;
     }
-    writer.write_image("rgb", frame->timestamp, frame->image->colour);
-    writer.write_image("depth", frame->depth_timestamp,
-                       in_units(frame->image->depth, input.camera.depth_units_per_metre, report.too_far));
+    write_colour(*frame, writer);
+    writer.write_image(
+        "depth", frame->depth_timestamp,
+        depth_in_units(frame->image->depth, input.camera.depth_units_per_metre, report.too_far));
     imu += format_imu(frame->imu);
     report.imu_readings += static_cast<int>(frame->imu.size());
     progress.update(++report.frames);

@@ -78,6 +78,7 @@ LoadedFrame FrameLoader::load(const SourceFrame& source) const {
   frame.depth_timestamp = source.depth_timestamp;
   frame.name = source.name;
   frame.imu = source.imu;
+  frame.packed = source.images;
   try {
     frame.image = decoder_.decode(source, mode_);
   } catch (const Error& error) {

@@ -21,6 +21,7 @@ struct LoadedFrame {
   double depth_timestamp = 0;
   std::string name;  ///< see SourceFrame
   std::vector<ImuSample> imu;
+  std::shared_ptr<const PackedImages> packed;  ///< as they came
   std::optional<RgbdImage> image;
   std::optional<Error> error;  ///< set if there is no image
 };

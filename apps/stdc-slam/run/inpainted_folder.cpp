@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "input/depth_units.hpp"
 
 namespace stdc::app {
 namespace fs = std::filesystem;
@@ -27,8 +28,8 @@ void write_truth(const SequenceInput& input, TumWriter& writer) {
   std::error_code problem;
   if (input.source().kind() == "tum" && fs::exists(input.truth_path(), problem)) {
     writer.copy_file("groundtruth.txt", input.truth_path());
-  } else if (input.truth) {
-    writer.write_text("groundtruth.txt", format_trajectory(*input.truth));
+  } else if (input.truth()) {
+    writer.write_text("groundtruth.txt", format_trajectory(*input.truth()));
   }
 }
 
@@ -37,7 +38,9 @@ InpaintedFolder::InpaintedFolder(const fs::path& folder, const SequenceInput& in
 
 void InpaintedFolder::write(double timestamp, double depth_timestamp, const InpaintedFrame& frame) {
   writer_.write_image("rgb", timestamp, frame.colour);
-  writer_.write_image("depth", depth_timestamp, frame.depth);
+  std::int64_t too_far = 0;  // as in the input: no depth camera sees so far
+  writer_.write_image("depth", depth_timestamp,
+                      depth_in_units(frame.depth, input_.camera.depth_units_per_metre, too_far));
   writer_.write_image("unknown", timestamp, frame.unknown);
 }
 

@@ -10,18 +10,18 @@ RunScore score_run(const SequenceInput& input, const Trajectory& estimate, int f
   constexpr double kMaxDifference = 0.02;  // [s]
   constexpr std::size_t kMinPoses = 3;
   RunScore result;
-  if (!input.truth_file) return result;
+  if (!input.truth_file()) return result;
   const std::string file = input.truth_path().string();
-  if (!input.truth) {
+  if (!input.truth()) {
     result.not_scored = "the ground truth " + input.why_no_truth();
     result.warning = fmt::format("{}: {}; there are no scores", file, input.why_no_truth());
     return result;
   }
-  result.convention = recognise_convention(*input.truth, estimate);
+  result.convention = recognise_convention(*input.truth(), estimate);
   if (!result.convention.usual()) result.warning = fmt::format("{}: {}", file, result.convention.note());
   try {
-    result.scores =
-        score_trajectory(apply_convention(*input.truth, result.convention), estimate, kMaxDifference, frames);
+    result.scores = score_trajectory(apply_convention(*input.truth(), result.convention), estimate,
+                                     kMaxDifference, frames);
   } catch (const Error& error) {
     result.not_scored = error.problem();
     // With fewer poses the truth is not to blame.

@@ -38,12 +38,12 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
   summary.maps = slam.maps();
   summary.keyframes = slam.keyframes();
   summary.landmarks = slam.landmarks();
-  summary.truth = input.truth_file;
+  summary.truth = input.truth_file();
   summary.score = score_run(input, trajectories.frames, record.counts().total());
   if (!summary.score.warning.empty()) fmt::print(stderr, "stdc-slam: {}\n", summary.score.warning);
   if (summary.score.scores) {
     summary.consistency =
-        pose_consistency(apply_convention(*input.truth, summary.score.convention),
+        pose_consistency(apply_convention(*input.truth(), summary.score.convention),
                          summary.score.scores->truth_from_estimate, record.covariant_poses(trajectories.map));
   }
   summary.usage = process_usage();
@@ -80,6 +80,19 @@ void say_nothing_came_of_it(const RunOptions& options, int frames) {
              options.localisation_only ? "was located in the map" : "got a pose",
              options.save_map ? options.save_map->string() + " was not written; " : "",
              "check images, depth and camera");
+}
+
+/// Says so if not one mask was of use, where that could not be known before the frames were read.
+void warn_of_useless_masks(const std::filesystem::path& folder, const SequenceInput& input,
+                           const std::vector<FramePose>& poses) {
+  if (input.frame_times()) return;
+  std::vector<double> times;
+  for (const FramePose& pose : poses) times.push_back(pose.timestamp);
+  try {
+    check_masks(folder, list_masks(folder), times);
+  } catch (const Error& error) {
+    fmt::print(stderr, "stdc-slam: {}\n", error.what());
+  }
 }
 
 void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output) {
@@ -169,6 +182,8 @@ bool run_sequence(const RunOptions& options) {
                 mask_scoring ? &*mask_scoring : nullptr, inpainted ? &mask_record : nullptr});
   const std::vector<FramePose> poses =
       settings.system.localisation_only ? record.tracked_poses() : slam.trajectory();
+  if (settings.segmentation.source == SegmentationSource::masks)
+    warn_of_useless_masks(mask_folder(options.segmentation, options.input.path), input, poses);
   const RunTrajectories trajectories = by_map(poses, slam.keyframe_trajectory());
   InpaintReport inpainting;
   if (inpainted) {
@@ -180,7 +195,7 @@ bool run_sequence(const RunOptions& options) {
   if (pictures) {
     pictures->add_top_view(
         {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
-         apply_convention(input.truth.value_or(Trajectory()), summary.score.convention),
+         apply_convention(input.truth().value_or(Trajectory()), summary.score.convention),
          summary.score.scores ? std::optional(summary.score.scores->truth_from_estimate) : std::nullopt});
     pictures->commit();
   }

@@ -29,28 +29,40 @@ SequenceInput::SequenceInput(const InputOptions& options)
     : name(name_of(options.path)), source_(open_source(options.path, options.source)) {
   cameras = find_cameras(*source_, options.camera);
   for (const std::string& note : source_->notes()) fmt::print(stderr, "stdc-slam: {}\n", note);
-  truth_file = source_->ground_truth();
-  if (truth_file) {
-    if (!truth_file->poses.empty()) truth = truth_file->poses;
-    // Of a truth without any pose more is said than that, by what would use it.
-    if (const std::string note = truth_file->note(); truth && !note.empty()) {
-      fmt::print(stderr, "stdc-slam: {}: {}\n", truth_path().string(), note);
-    }
-  }
+  // Whoever knows all times without reading frames knows the truth, too.
+  if (source_->frame_times()) truth_file();
   range_ = parse_frame_range(options.frames, source_->frame_count());
 }
 
+const std::optional<GroundTruth>& SequenceInput::truth_file() const {
+  if (truth_is_read_) return truth_file_;
+  truth_is_read_ = true;
+  truth_file_ = source_->ground_truth();
+  if (!truth_file_) return truth_file_;
+  if (!truth_file_->poses.empty()) truth_ = truth_file_->poses;
+  // Of a truth without any pose more is said than that, by what would use it.
+  if (const std::string note = truth_file_->note(); truth_ && !note.empty()) {
+    fmt::print(stderr, "stdc-slam: {}: {}\n", truth_path().string(), note);
+  }
+  return truth_file_;
+}
+
+const std::optional<Trajectory>& SequenceInput::truth() const {
+  truth_file();
+  return truth_;
+}
+
 std::string SequenceInput::why_no_truth() const {
-  if (!truth_file) return "there is no such file";
-  const std::string note = truth_file->note();
+  if (!truth_file()) return "there is no such file";
+  const std::string note = truth_file()->note();
   return note.empty() ? "holds no pose" : "holds no pose, " + note;
 }
 
 const Trajectory& SequenceInput::required_truth() const {
-  if (truth) return *truth;
+  if (truth()) return *truth();
   throw Error(truth_path().string(), why_no_truth(),
-              truth_file ? std::string("write each line as: timestamp tx ty tz qx qy qz qw")
-                         : "give a sequence whose poses are known");
+              truth_file() ? std::string("write each line as: timestamp tx ty tz qx qy qz qw")
+                           : "give a sequence whose poses are known");
 }
 
 FrameSource& SequenceInput::start() const {

@@ -25,14 +25,20 @@ struct InputOptions {
 class SequenceInput {
  public:
   /// Opens the input, says on stderr how it was understood where that is not plain, and reads the ground
-  /// truth. Throws Error for whatever is wrong with the input, the camera or the range.
+  /// truth where that takes no time. Throws Error for whatever is wrong with the input, the camera or the
+  /// range.
   explicit SequenceInput(const InputOptions& options);
   SequenceInput(const SequenceInput&) = delete;
   SequenceInput& operator=(const SequenceInput&) = delete;
 
   /// Where a ground truth is, or would be.
   std::filesystem::path truth_path() const { return source_->truth_where(); }
-  /// Why there is no `truth`, as Error words it: no such file, or no pose in it.
+  /// The truth if it has any pose. Read when it is first asked for; that of a recording costs least when all
+  /// its frames have been read. Throws Error if it cannot be read.
+  const std::optional<Trajectory>& truth() const;
+  /// The same as read, with what was left out.
+  const std::optional<GroundTruth>& truth_file() const;
+  /// Why there is no truth(), as Error words it: no such file, or no pose in it.
   std::string why_no_truth() const;
   /// The truth, for what makes no sense without it. Throws Error if there is none.
   const Trajectory& required_truth() const;
@@ -52,12 +58,13 @@ class SequenceInput {
   std::string name;  ///< of the folder or file
   RgbdCameras cameras;
   const Camera& camera = cameras.colour;
-  std::optional<Trajectory> truth;        ///< if it has any pose
-  std::optional<GroundTruth> truth_file;  ///< the same as read, with what was left out
 
  private:
   std::unique_ptr<FrameSource> source_;
   mutable bool used_ = false;
+  mutable bool truth_is_read_ = false;
+  mutable std::optional<Trajectory> truth_;
+  mutable std::optional<GroundTruth> truth_file_;
   FrameRange range_;
 };
 

@@ -14,6 +14,10 @@ class ImageFiles final : public PackedImages {
   cv::Mat colour(cv::Size size, ColourMode mode) const override {
     return read_colour_file(frame_.colour, size, mode);
   }
+  std::optional<std::vector<std::uint8_t>> colour_file() const override {
+    const std::string text = read_image_file(frame_.colour);
+    return std::vector<std::uint8_t>(text.begin(), text.end());
+  }
   cv::Mat depth(cv::Size size) const override {
     cv::Mat depth = read_depth_file(frame_.depth, size);
     if (missing_from_ && depth.type() == CV_16UC1) depth.setTo(0, depth >= *missing_from_);

@@ -5,7 +5,8 @@
 #include <opencv2/core/types.hpp>
 #include <optional>
 
-#include "input/open_source.hpp"
+#include "input/frame_source.hpp"
+#include "input/source_options.hpp"
 
 namespace stdc {
 

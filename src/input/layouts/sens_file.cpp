@@ -170,6 +170,11 @@ class SensImages final : public PackedImages {
     return image;
   }
 
+  std::optional<std::vector<std::uint8_t>> colour_file() const override {
+    if (colour_kind_ == SensColour::raw) return std::nullopt;
+    return read_bytes(path_, frame_.colour_at, frame_.colour_bytes, where_ + " (colour)");
+  }
+
   cv::Mat depth(cv::Size size) const override {
     const std::string where = where_ + " (depth)";
     check_size(depth_size_, size, where);

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "input/frame_source.hpp"
 #include "input/layouts/scannet_cameras.hpp"
-#include "input/open_source.hpp"
+#include "input/source_options.hpp"
 
 namespace stdc {
 

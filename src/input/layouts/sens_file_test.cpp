@@ -7,6 +7,7 @@
 
 #include "input/frame_decoder.hpp"
 #include "input/layouts/test_sens.hpp"
+#include "input/open_source.hpp"
 
 namespace stdc {
 namespace {

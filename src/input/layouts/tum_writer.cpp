@@ -80,8 +80,12 @@ void TumWriter::check_place() const {
 }
 
 void TumWriter::write_image(const std::string& part, double timestamp, const cv::Mat& image) {
-  const std::string name = fmt::format("{:.6f}.png", timestamp);
-  const std::vector<std::uint8_t> png = encode_png(image, PngEffort::fast);
+  write_image_file(part, timestamp, "png", encode_png(image, PngEffort::fast));
+}
+
+void TumWriter::write_image_file(const std::string& part, double timestamp, const std::string& extension,
+                                 std::span<const std::uint8_t> bytes) {
+  const std::string name = fmt::format("{:.6f}.{}", timestamp, extension);
   {
     const std::lock_guard lock(mutex_);
     auto& names = names_[part];
@@ -90,7 +94,7 @@ void TumWriter::write_image(const std::string& part, double timestamp, const cv:
     if (problem) cannot_write(problem.message());
     names[timestamp] = name;
   }
-  write_bytes(partial_ / part / name, {reinterpret_cast<const char*>(png.data()), png.size()});
+  write_bytes(partial_ / part / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 void TumWriter::write_camera(const Camera& camera) {

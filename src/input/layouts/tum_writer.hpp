@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <opencv2/core.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ class TumWriter {
   /// @param timestamp  [s]; two images of a part must not have the same to the microsecond: the later one
   /// stays Throws Error if the disk is full or a file cannot be written, as do the others.
   void write_image(const std::string& part, double timestamp, const cv::Mat& image);
+  /// Writes PART/TIMESTAMP.EXTENSION: an image that is a file already. Otherwise as write_image.
+  void write_image_file(const std::string& part, double timestamp, const std::string& extension,
+                        std::span<const std::uint8_t> bytes);
   void write_camera(const Camera& camera);
   /// Any other file, for instance groundtruth.txt; `name` has no folders.
   void write_text(const std::string& name, const std::string& text);

@@ -54,6 +54,12 @@ class MessageImages : public PackedImages {
     const auto decode = [&](const auto& image) { return colour_of(image, mode); };
     return unpack(colour_, size, decode, decode);
   }
+  std::optional<std::vector<std::uint8_t>> colour_file() const override {
+    if (!colour_.topic->compressed) return std::nullopt;
+    const auto image = read_compressed_image_message(colour_.topic->serialisation, *colour_.data);
+    if (!image || !(is_png(image->data) || is_jpeg(image->data))) return std::nullopt;
+    return std::vector<std::uint8_t>(image->data.begin(), image->data.end());
+  }
   cv::Mat depth(cv::Size size) const override {
     const auto decode = [](const auto& image) { return depth_of(image); };
     return unpack(depth_, size, decode, decode);

@@ -156,11 +156,6 @@ InputSurvey survey_input(FrameSource& source, const std::optional<RgbdCameras>& 
   survey.cameras = cameras ? cameras : source.cameras();
   survey.camera_hint = source.camera_hint();
   survey.truth_where = source.truth_where();
-  try {
-    survey.truth = source.ground_truth();
-  } catch (const Error& error) {
-    survey.truth_problem = error.what();
-  }
   TimeTaker times;
   ImageTaker images(survey.cameras);
   constexpr int kUsualLength =
@@ -172,6 +167,11 @@ InputSurvey survey_input(FrameSource& source, const std::optional<RgbdCameras>& 
     survey.imu_samples += static_cast<int>(frame->imu.size());
     if (frames % step == 0) images.add(*frame);
     progress(++frames);
+  }
+  try {  // a recording has read it along with its frames
+    survey.truth = source.ground_truth();
+  } catch (const Error& error) {
+    survey.truth_problem = error.what();
   }
   survey.times = times.result();
   survey.images = images.result();
