@@ -12,6 +12,8 @@
 #include "atlas/map_file.hpp"
 #include "core/image_codec.hpp"
 #include "core/random.hpp"
+#include "input/depth_formats/test_depth_files.hpp"
+#include "input/layouts/test_sens.hpp"
 #include "input/recordings/test_messages.hpp"
 
 namespace {
@@ -64,6 +66,25 @@ std::string small_map(int maps, bool patches) {
   std::ostringstream stream;
   stdc::write_map(stream, camera, atlas);
   return stream.str();
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  write(path, {text.begin(), text.end()});
+}
+
+/// Depth in other files than PNG, 7 x 5 pixels, and a .sens file.
+void write_depth_files(const std::filesystem::path& folder) {
+  using namespace stdc::test;
+  std::filesystem::create_directories(folder / "depth_file");
+  std::filesystem::create_directories(folder / "sens_file");
+  const std::vector<float> metres(35, 1.5F);
+  write_text(folder / "depth_file/f4.npy", make_npy<float>("<f4", "(5, 7)", metres));
+  write_text(folder / "depth_file/u2.npy",
+             make_npy<std::uint16_t>(">u2", "(5, 7, 1)", std::vector<std::uint16_t>(35, 7), true));
+  write_text(folder / "depth_file/units.tiff", make_tiff(cv::Mat(5, 7, CV_16UC1, cv::Scalar(9)), false));
+  write_text(folder / "depth_file/tiles.tiff", make_tiff(cv::Mat(5, 7, CV_32FC1, cv::Scalar(9)), true));
+  write_text(folder / "depth_file/z.exr", make_exr(7, 5, "Z", metres));
+  write_text(folder / "sens_file/three.sens", make_sens(3));
 }
 
 /// Messages of both serialisations behind the byte that tells which.
@@ -126,6 +147,7 @@ int main(int argc, char** argv) {
   }
   std::filesystem::create_directories(folder / "ros_message");
   write_messages(folder / "ros_message");
+  write_depth_files(folder);
   std::filesystem::create_directories(folder / "map_file");
   for (const bool patches : {false, true}) {
     const std::string bytes = small_map(1, patches);

@@ -2,6 +2,7 @@
 
 #include <libdeflate.h>
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
