@@ -24,7 +24,7 @@ void show_info(const Options& options) {
   if (options.input.camera) cameras = read_cameras(*options.input.camera);
   InputSurvey survey;
   {
-    Progress progress("looking", "frames", source->frame_count(), options.quiet);
+    Progress progress("looking", "frames", source->expected_frame_count(), options.quiet);
     survey = survey_input(*source, cameras, options.looked_at, [&](int done) { progress.update(done); });
   }
   const std::vector<std::string> warnings = survey_warnings(survey);

@@ -53,7 +53,7 @@ ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, 
                             const InterruptWatch& interrupts) {
   TumWriter writer(target(input, folder, overwrite));
   FrameLoader loader(input, ColourMode::as_stored);
-  Progress progress("converting", "frames", input.frame_count(), quiet);
+  Progress progress("converting", "frames", input.expected_frame_count(), quiet);
   ConvertReport report;
   std::string imu;
   while (const auto frame = loader.next()) {

@@ -63,7 +63,7 @@ class SecondPass {
   template <typename Action>
   void for_each_frame(const char* label, const Action& action) {
     FrameLoader loader(input_, ColourMode::as_stored);
-    Progress progress(label, "frames", input_.frame_count(), quiet_);
+    Progress progress(label, "frames", input_.expected_frame_count(), quiet_);
     while (const auto frame = loader.next()) {
       if (frame->image) action(*frame);
       if (interrupts_.interrupted()) {

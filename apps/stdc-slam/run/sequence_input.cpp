@@ -29,8 +29,7 @@ SequenceInput::SequenceInput(const InputOptions& options)
     : name(name_of(options.path)), source_(open_source(options.path, options.source)) {
   cameras = find_cameras(*source_, options.camera);
   for (const std::string& note : source_->notes()) fmt::print(stderr, "stdc-slam: {}\n", note);
-  // Whoever knows all times without reading frames knows the truth, too.
-  if (source_->frame_times()) truth_file();
+  if (!source_->truth_comes_last()) truth_file();
   range_ = parse_frame_range(options.frames, source_->frame_count());
 }
 
@@ -79,6 +78,12 @@ FrameSource& SequenceInput::start() const {
 std::optional<int> SequenceInput::frame_count() const {
   if (!range_.end) return std::nullopt;
   return *range_.end - range_.first;
+}
+
+std::optional<int> SequenceInput::expected_frame_count() const {
+  const std::optional<int> expected = source_->expected_frame_count();
+  if (range_.end || !expected) return frame_count();
+  return std::max(1, *expected - range_.first);
 }
 
 std::optional<std::vector<double>> SequenceInput::frame_times() const {

@@ -52,6 +52,8 @@ class SequenceInput {
   std::optional<int> end_frame() const { return range_.end; }
   /// How many frames are chosen, if that is known before the end.
   std::optional<int> frame_count() const;
+  /// About how many, for a progress bar.
+  std::optional<int> expected_frame_count() const;
   /// Times of the chosen frames [s], if they are known without reading them.
   std::optional<std::vector<double>> frame_times() const;
 

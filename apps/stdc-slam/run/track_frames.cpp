@@ -81,7 +81,7 @@ void check_end(const SequenceInput& input, int frames, Progress& progress) {
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
                   Slam& slam, RunRecord& record, const FrameOutputs& outputs) {
   FrameLoader loader(input, options.colour);
-  Progress progress(options.label, "frames", input.frame_count(), options.quiet);
+  Progress progress(options.label, "frames", input.expected_frame_count(), options.quiet);
   FaultReport faults(progress);
   Pacer pacer(options.realtime);
   Stopwatch stopwatch;

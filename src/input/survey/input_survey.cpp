@@ -160,7 +160,8 @@ InputSurvey survey_input(FrameSource& source, const std::optional<RgbdCameras>& 
   ImageTaker images(survey.cameras);
   constexpr int kUsualLength =
       3000;  // [frames] where the length is not known: a longer one is sampled more often
-  const int step = std::max(1, source.frame_count().value_or(kUsualLength) / std::max(1, max_sampled));
+  const int step =
+      std::max(1, source.expected_frame_count().value_or(kUsualLength) / std::max(1, max_sampled));
   int frames = 0;
   while (const auto frame = source.next()) {
     times.add(*frame);
