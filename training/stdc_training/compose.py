@@ -10,27 +10,30 @@ from .views import affine, log_uniform, seen_part, warp
 CAMERA_SHARE = 0.74
 
 
-def compose(rng, frame, cutouts, size, heights=(0.3, 2.6), downward=0.0):
+def compose(rng, frame, cutouts, size, heights=(0.3, 2.6), downward=0.0, low=0.0):
     """Paste each cutout (entry, packed image) onto the RGB frame; return (image, label).
 
     Small, that is distant, people first, so that near ones hide them. Their heights
     are within `heights` of the frame's. downward: how many are seen by a camera that looks down,
-    on a desk say, without their heads.
+    on a desk say, without their heads; low: how many frames are seen from below 1.3 m.
     """
     label = np.zeros(frame.shape[:2], np.uint8)
     horizon = rng.uniform(0.3, 0.65)
+    camera = rng.uniform(0.2, CAMERA_SHARE) if low and rng.random() < low else CAMERA_SHARE
     heights = np.sort([log_uniform(rng, *heights) for _ in cutouts])
     for (entry, image), height in zip(cutouts, heights):
-        frame, label = paste(rng, frame, label, entry, image, (height, horizon), size, downward)
+        frame, label = paste(rng, frame, label, entry, image, (height, horizon, camera), size,
+                             downward)
     return frame, label
 
 
 def paste(rng, frame, label, entry, image, place, size, downward=0.0):
-    """Paste one person of `place` = (height, horizon) in shares of the frame's height."""
+    """Paste one person of `place` = (height, horizon) in shares of the frame's height, and the
+    camera's height in shares of the person's."""
     width, height = size
-    share, horizon = place
+    share, horizon, camera = place
     x0, y0, x1, y1 = entry["box"]
-    bottom = horizon + CAMERA_SHARE * share + rng.normal(0, 0.08)
+    bottom = horizon + camera * share + rng.normal(0, 0.08)
     way = rng.random()
     if way < 0.25:  # seated, crouching, on a step: the head at any height
         bottom = share + rng.uniform(-0.1, 0.6)

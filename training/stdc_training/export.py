@@ -12,6 +12,7 @@ import torch
 from . import calibrate, safetensors, weights
 from .network import TRAINING_ONLY, StdcSeg
 from .samples import Samples
+from .widths import Widths
 
 LICENCE = (
     "Weights for research use only: trained on Clothing Co-Parsing (repository Apache-2.0, "
@@ -26,8 +27,9 @@ def from_checkpoint(path):
     """(network with the averaged weights, checkpoint) of a file written by stdc_training.train."""
     state = torch.load(path, map_location="cpu")
     options = state["options"]
-    network = StdcSeg(options["architecture"], classes=len(state["average"]["head.classify.bias"]),
-                      divisor=options["divisor"], head=options["head"],
+    architecture = options["architecture"]
+    network = StdcSeg(architecture, classes=len(state["average"]["head.classify.bias"]),
+                      widths=Widths.of(state["average"], architecture),
                       training_heads=False)
     kept = {name: tensor for name, tensor in state["average"].items()
             if not name.startswith(TRAINING_ONLY)}
@@ -71,8 +73,7 @@ def main():
                 parameter.data = parameter.data.half().float()
     ranges = calibrate.activation_ranges(network, calibration_batches(options.data, options.size))
     used = state["options"]
-    trained = (f"{state['images']} images seen, last at {used['width']}x{used['height']}, "
-               f"divisor of the channels {used['divisor']}")
+    trained = f"{state['images']} images seen, last at {used['width']}x{used['height']}"
     entries = weights.metadata(network, options.size, LICENCE, ranges, options.classes,
                                options.dynamic, version="1",
                                trained=trained, scores=options.scores)

@@ -25,19 +25,19 @@ class ConvX(nn.Module):
 class StdcModule(nn.Module):
     """Short-Term Dense Concatenate module (the paper, fig. 3).
 
-    Four ConvX with 1/2, 1/4, 1/8 and 1/8 of the output channels; all four outputs are
-    concatenated, so that one module sees several receptive fields. With stride 2 the second
-    block halves the size, and the first block's output is average-pooled to fit.
+    Four ConvX with the channels `outputs`, in the paper 1/2, 1/4, 1/8 and 1/8 of the module's;
+    all four outputs are concatenated, so that one module sees several receptive fields. With
+    stride 2 the second block halves the size, and the first block's output is average-pooled to fit.
     """
 
     def __init__(self, inputs, outputs, stride):
         super().__init__()
         self.blocks = nn.ModuleList(
             [
-                ConvX(inputs, outputs // 2, kernel=1),
-                ConvX(outputs // 2, outputs // 4, stride=stride),
-                ConvX(outputs // 4, outputs // 8),
-                ConvX(outputs // 8, outputs // 8),
+                ConvX(inputs, outputs[0], kernel=1),
+                ConvX(outputs[0], outputs[1], stride=stride),
+                ConvX(outputs[1], outputs[2]),
+                ConvX(outputs[2], outputs[3]),
             ]
         )
         self.pool = nn.AvgPool2d(3, 2, 1) if stride == 2 else nn.Identity()
@@ -78,11 +78,11 @@ class AttentionRefinement(nn.Module):
 class FeatureFusion(nn.Module):
     """Feature fusion module (BiSeNet, fig. 2c) of detail (stage 3) and context features."""
 
-    def __init__(self, inputs, outputs):
+    def __init__(self, inputs, outputs, middle):
         super().__init__()
         self.conv = ConvX(inputs, outputs, kernel=1)
-        self.squeeze = nn.Conv2d(outputs, outputs // 4, 1, bias=False)
-        self.excite = nn.Conv2d(outputs // 4, outputs, 1, bias=False)
+        self.squeeze = nn.Conv2d(outputs, middle, 1, bias=False)
+        self.excite = nn.Conv2d(middle, outputs, 1, bias=False)
 
     def forward(self, detail, context):
         feature = self.conv(torch.cat([detail, context], 1))

@@ -62,8 +62,17 @@ def softened(person, known, margins, share):
     return (1 - share) * person + share * known * torch.sigmoid(margins)
 
 
+def without_doubt(labels, exact, teacher, certain=0.9):
+    """The labels [n, h, w], unknown where a teacher is certain of the opposite and they come from
+    another network (exact [n] is 0): one of the two is wrong, often the label."""
+    chance = torch.sigmoid(margin(teacher, labels.shape[1:]))
+    opposite = ((labels == 1) & (chance < 1 - certain)) | ((labels == 0) & (chance > certain))
+    return torch.where(opposite & (exact == 0).view(-1, 1, 1), IGNORE, labels)
+
+
 def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None, share=0.5):
-    """Sum of the losses of StdcSeg.forward_training and its parts by name.
+    """Sum of the losses of StdcSeg.forward_training (its heads of training may be missing) and
+    its parts by name.
 
     Without `hard` the cross-entropy is over all pixels: from random weights nearly every pixel is
     hard and many labels near edges are doubtful, and mining those slows the start of a training.
@@ -78,14 +87,16 @@ def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None
         return person, known
 
     entropy = hard_cross_entropy if hard else plain_cross_entropy
-    fine, coarse = targets(stride), targets(2 * stride)
+    fine = targets(stride)
     size = fine[0].shape[1:]
     main = margin(outputs["main"], size)
     parts = {"main": entropy(main, *fine)}
-    for name in AUXILIARY:
-        parts[name] = entropy(margin(outputs[name], coarse[0].shape[1:]), *coarse)
     parts["region"] = REGION_WEIGHT * region_loss(main, *fine)
-    edges = functional.avg_pool2d(detail_target(labels), stride)
-    detail = upsampled(outputs["detail"].float(), size)
-    parts["detail"] = detail_loss(detail, edges, fine[1].unsqueeze(1))
+    if "detail" in outputs:
+        coarse = targets(2 * stride)
+        for name in AUXILIARY:
+            parts[name] = entropy(margin(outputs[name], coarse[0].shape[1:]), *coarse)
+        edges = functional.avg_pool2d(detail_target(labels), stride)
+        detail = upsampled(outputs["detail"].float(), size)
+        parts["detail"] = detail_loss(detail, edges, fine[1].unsqueeze(1))
     return sum(parts.values()), parts

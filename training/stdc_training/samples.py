@@ -10,7 +10,8 @@ import torch
 
 from . import people
 from .compose import compose, hide
-from .photometric import distort
+from .photometric import blur, distort
+from .rgbd_camera import rgbd_camera
 from .views import person_view, scene_view, warp, whole_view
 
 # Shares of the kinds of samples; rooms (all but photos) are over half of what the network sees.
@@ -23,30 +24,42 @@ CUTOUT_SHARES = {"ccp_masked": 0.45, "ccp_teacher": 0.2, "lspet_teacher": 0.2,
                  "human291_masked": 0.15}
 # Of the people put into rooms, how many are seen without their heads; they stand above desks so.
 DOWNWARD_SHARE = 0.2
+# How many of them are seen from lower than 1.3 m, down to the height of a knee.
+LOW_SHARE = 0.2
 # Of the photos, how many are seen whole.
 WHOLE_SHARE = 0.2
 # A person smaller than this (share of the packed image's height) makes a poor cutout.
 LEAST_CUTOUT_HEIGHT = 0.35
 
 
+def source_of(entry):
+    """Name of the source of an entry of the index: its kind, for an empty room the scene."""
+    kind, name = entry["kind"], entry["name"]
+    return name.split("_")[0] if kind == people.EMPTY else kind
+
+
 class Samples(torch.utils.data.Dataset):
     """Sample i: (uint8 RGB [h, w, 3], uint8 label [h, w]) at size (width, height).
 
-    strength: of the changes of colour and sharpness, 0..1; heights: of people, in frame heights.
+    strength: of the changes of colour and sharpness, 0..1; heights: of people, in frame heights;
+    camera: share of the samples that look like an RGB-D camera's; sources: names of the kinds of
+    photos and of the scenes that are used, all of them without it.
     """
 
     def __init__(self, folder, size, count, seed=0, rendered=None, strength=1.0,
-                 heights=(0.35, 3.0)):
+                 heights=(0.35, 3.0), camera=0.0, sources=None):
         self._packed = people.Packed(folder, "train")
         self._frames = people.Packed(folder, rendered) if rendered else None
         self._size, self._count, self._seed = size, count, seed
-        self._strength, self._heights = strength, heights
+        self._strength, self._heights, self._camera = strength, heights, camera
         self._shares = SHARES_WITH_RENDERED if rendered else SHARES
         self._kinds, self._cutouts, self._scenes = {}, {}, {}
         for i, entry in enumerate(self._packed.index):
+            if sources is not None and source_of(entry) not in sources:
+                continue
             self._kinds.setdefault(entry["kind"], []).append(i)
             if entry["kind"] == people.EMPTY:
-                self._add_scene(entry["name"].split("_")[0], self._packed, i)
+                self._add_scene(source_of(entry), self._packed, i)
             elif entry["box"] is None:
                 self._add_scene("elsewhere", self._packed, i)
             if entry["box"] and entry["kind"] in CUTOUT_SHARES:
@@ -56,6 +69,9 @@ class Samples(torch.utils.data.Dataset):
         for i, entry in enumerate(self._frames.index if rendered else ()):
             if entry["box"] is None:
                 self._add_scene("rendered", self._frames, i)
+        if not (self._kinds and self._cutouts and self._scenes):
+            raise ValueError(f"--sources {' '.join(sources or ())}: without photos of people, "
+                             "people to cut out and scenes without people no samples can be made")
 
     def _add_scene(self, scene, packed, i):
         self._scenes.setdefault(scene, []).append((packed, i))
@@ -64,25 +80,38 @@ class Samples(torch.utils.data.Dataset):
         return self._count
 
     def __getitem__(self, i):
+        seen, label, _, _ = self.with_clean(i)
+        return seen, label
+
+    def with_clean(self, i):
+        """Sample i as the network sees it, its label, the image before colours and sharpness were
+        changed, and 1 where the label is exact, 0 for photos whose labels come from a network."""
         cv2.setNumThreads(1)
         rng = np.random.default_rng([self._seed, i])
         kind = rng.choice(list(self._shares), p=list(self._shares.values()))
-        image, label = getattr(self, f"_{kind}")(rng)
-        image = distort(rng, image, self._strength)
-        return torch.from_numpy(image), torch.from_numpy(np.ascontiguousarray(label))
+        clean, label, exact = getattr(self, f"_{kind}")(rng)
+        if self._camera and rng.random() < self._camera:
+            seen = rgbd_camera(rng, blur(rng, clean) if rng.random() < 0.3 else clean)
+        else:
+            seen = distort(rng, clean, self._strength)
+        label = torch.from_numpy(np.ascontiguousarray(label))
+        return torch.from_numpy(seen), label, torch.from_numpy(clean), exact
 
     def _pick(self, rng, groups, shares):
-        kind = rng.choice(list(shares), p=list(shares.values()))
+        there = [kind for kind in shares if kind in groups]
+        chances = np.array([shares[kind] for kind in there])
+        kind = rng.choice(there, p=chances / chances.sum())
         return int(rng.choice(groups[kind]))
 
     def _photo(self, rng):
         i = self._pick(rng, self._kinds, PHOTO_SHARES)
         entry = self._packed.index[i]
+        exact = int(not entry["kind"].endswith("_teacher"))
         if rng.random() < WHOLE_SHARE:  # as a program sees a photo that it fits into its input
-            return warp(self._packed[i], whole_view(rng, entry, self._size), self._size,
-                        cv2.BORDER_CONSTANT, int(rng.integers(256)))
+            return *warp(self._packed[i], whole_view(rng, entry, self._size), self._size,
+                         cv2.BORDER_CONSTANT, int(rng.integers(256))), exact
         by_person = entry["box"] is not None and rng.random() < 0.75
-        return warp(self._packed[i], self._view(rng, entry, by_person), self._size)
+        return *warp(self._packed[i], self._view(rng, entry, by_person), self._size), exact
 
     def _view(self, rng, entry, by_person):
         if by_person:
@@ -95,20 +124,28 @@ class Samples(torch.utils.data.Dataset):
         return warp(packed[i], scene_view(rng, packed.index[i], self._size), self._size)
 
     def _empty(self, rng):
-        return self._room(rng)
+        return *self._room(rng), 1
 
     def _composed(self, rng):
         frame, _ = self._room(rng)
         count = rng.choice([1, 2, 3], p=[0.6, 0.28, 0.12])
         picks = [self._pick(rng, self._cutouts, CUTOUT_SHARES) for _ in range(count)]
         cutouts = [(self._packed.index[i], self._packed[i]) for i in picks]
-        image, label = compose(rng, frame, cutouts, self._size, self._heights, DOWNWARD_SHARE)
+        image, label = compose(rng, frame, cutouts, self._size, self._heights, DOWNWARD_SHARE,
+                               LOW_SHARE)
         if rng.random() < 0.25:
             image, label = hide(rng, image, label, self._room(rng)[0])
-        return image, label
+        return image, label, 1
 
     def _render(self, rng):
         i = int(rng.integers(len(self._frames)))
         entry = self._frames.index[i]
         by_person = entry["box"] is not None and rng.random() < 0.5
-        return warp(self._frames[i], self._view(rng, entry, by_person), self._size)
+        return *warp(self._frames[i], self._view(rng, entry, by_person), self._size), 1
+
+
+class TaughtSamples(Samples):
+    """Samples for a student of another network: (image, label, clean image, label exact or not)."""
+
+    def __getitem__(self, i):
+        return self.with_clean(i)

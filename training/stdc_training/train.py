@@ -18,12 +18,13 @@ import torch
 
 from .detail import DetailTarget
 from .ema import Average
-from .losses import total_loss
+from .losses import total_loss, without_doubt
 from .muon import Muon
-from .network import MODULES, StdcSeg, default_device
+from .network import StdcSeg, default_device
 from .quick_check import quick_scores, validation_subset
-from .samples import Samples
-from .weights import begin_from, load, normalised
+from .samples import Samples, TaughtSamples
+from .weights import begin_from, load_frozen, normalised, widths_of
+from .widths import MODULES
 
 
 BETAS = (0.9, 0.99)
@@ -40,6 +41,12 @@ def parse(arguments=None):
     parser.add_argument("--architecture", choices=sorted(MODULES), default="STDC1-Seg")
     parser.add_argument("--divisor", type=int, default=1, help="narrows all layers by it")
     parser.add_argument("--head", type=int, default=64, help="channels of the heads")
+    parser.add_argument("--channels", metavar="WEIGHTS",
+                        help="a file of stdc_training.prune: the network has the channels of that, "
+                             "instead of --divisor and --head")
+    parser.add_argument("--main-only", action="store_true",
+                        help="without auxiliary heads and detail guidance: faster, for the "
+                             "training of a network that begins with good weights")
     parser.add_argument("--width", type=int, default=224)
     parser.add_argument("--height", type=int, default=160)
     parser.add_argument("--batch", type=int, default=16)
@@ -57,11 +64,17 @@ def parse(arguments=None):
                         help="of changes of colour and sharpness, 0..1")
     parser.add_argument("--heights", type=float, nargs=2, default=(0.35, 3.0),
                         metavar=("LOW", "HIGH"), help="of people, in frame heights")
+    parser.add_argument("--camera", type=float, default=0.0, metavar="SHARE",
+                        help="of the samples that look like an RGB-D camera's pictures")
+    parser.add_argument("--sources", nargs="+", metavar="NAME",
+                        help="use these only: kinds of photos (ccp_masked ...) and scenes of rooms "
+                             "(the beginning of their files' names)")
     parser.add_argument("--rendered", help="name of a packed set of rendered frames in DATA")
     parser.add_argument("--start-from", metavar="WEIGHTS",
                         help="weights file that a new training begins with")
     parser.add_argument("--teacher", metavar="WEIGHTS",
-                        help="another network, whose probabilities soften the labels")
+                        help="another network, whose probabilities soften the labels; it sees the "
+                             "images before their colours and sharpness are changed")
     parser.add_argument("--teacher-share", type=float, default=0.5, help="their weight, 0..1")
     parser.add_argument("--loss-stride", type=int, default=1, metavar="PIXELS",
                         help="squares of so many pixels count as one in the losses")
@@ -81,11 +94,16 @@ class Trainer:
         torch.manual_seed(options.seed)
         self.options, self.device = options, default_device()
         self.mixed = self.device.type == "cuda" or options.bf16
-        self.network = StdcSeg(options.architecture, divisor=options.divisor, head=options.head)
+        widths = widths_of(options.channels)[1] if options.channels else None
+        self.network = StdcSeg(options.architecture, divisor=options.divisor, head=options.head,
+                               training_heads=not options.main_only, widths=widths)
         if options.start_from:
             begin_from(options.start_from, self.network)
         self.network.to(self.device, memory_format=torch.channels_last)
-        self.teacher = load(options.teacher)[0].to(self.device) if options.teacher else None
+        self.teacher = None
+        if options.teacher:
+            self.teacher = load_frozen(options.teacher).to(self.device,
+                                                           memory_format=torch.channels_last)
         self.detail = DetailTarget().to(self.device)
         self.average = Average(self.network)
         self.optimiser = OPTIMISERS[options.optimiser](options, self._groups())
@@ -111,18 +129,18 @@ class Trainer:
         left = min(1.0, max(0.0, (end - self.images) / (end - begin)))
         return self.options.rate * warm * left**0.9
 
-    def step(self, pixels, labels):
-        """One optimiser step; returns the losses by name."""
+    def step(self, pixels, labels, clean=None, exact=None):
+        """One optimiser step; returns the losses by name. clean, exact: see TaughtSamples."""
         for group in self.optimiser.param_groups:
             group["lr"] = self.rate()
         self.network.train()
-        pixels = normalised(pixels.to(self.device, non_blocking=True))
-        pixels = pixels.contiguous(memory_format=torch.channels_last)
         labels = labels.to(self.device, non_blocking=True).long()
         with torch.autocast(self.device.type, enabled=self.mixed):
-            outputs = self.network.forward_training(pixels)
+            outputs = self.network.forward_training(self._input(pixels))
             with torch.no_grad():
-                advice = self.teacher(pixels) if self.teacher else None
+                advice = self.teacher(self._input(clean)) if self.teacher else None
+        if self.teacher:
+            labels = without_doubt(labels, exact.to(self.device), advice)
         loss, parts = total_loss(outputs, labels, self.detail,
                                  self.images >= self.options.hard_after, self.options.loss_stride,
                                  advice, self.options.teacher_share)
@@ -134,6 +152,10 @@ class Trainer:
         self.images += pixels.shape[0]
         self.steps += 1
         return {name: float(part.detach()) for name, part in parts.items()}
+
+    def _input(self, pixels):
+        values = normalised(pixels.to(self.device, non_blocking=True))
+        return values.contiguous(memory_format=torch.channels_last)
 
     def state(self):
         return {"network": self.network.state_dict(), "average": self.average.network.state_dict(),
@@ -204,8 +226,10 @@ def progress(trainer, losses, begun, seen):
 
 def batches(options, start):
     """Batches of samples from number `start` to the end of the schedule."""
-    samples = Samples(options.data, (options.width, options.height), options.images,
-                      options.seed, options.rendered, options.strength, options.heights)
+    kind = TaughtSamples if options.teacher else Samples
+    samples = kind(options.data, (options.width, options.height), options.images, options.seed,
+                   options.rendered, options.strength, options.heights, options.camera,
+                   options.sources)
     return torch.utils.data.DataLoader(
         samples, options.batch, sampler=range(start, options.images), drop_last=True,
         num_workers=options.loaders, pin_memory=torch.cuda.is_available())
@@ -228,8 +252,8 @@ def train(trainer, sets, stop):
     options = trainer.options
     begun = shown = saved = evaluated = time.monotonic()
     first, sums, count = trainer.images, {}, 0
-    for pixels, labels in batches(options, trainer.images):
-        losses = trainer.step(pixels, labels)
+    for batch in batches(options, trainer.images):
+        losses = trainer.step(*batch)
         sums = {name: sums.get(name, 0) + value for name, value in losses.items()}
         count += 1
         now = time.monotonic()

@@ -64,7 +64,8 @@ def warp(image, matrix, size, border=cv2.BORDER_REFLECT_101, grey=0):
 
 
 def _pose(rng):
-    return {"angle": rng.normal(0, 0.07), "stretch": log_uniform(rng, 0.85, 1.18),
+    angle = rng.uniform(-0.6, 0.6) if rng.random() < 0.08 else rng.normal(0, 0.07)
+    return {"angle": angle, "stretch": log_uniform(rng, 0.85, 1.18),
             "mirror": rng.random() < 0.5}
 
 

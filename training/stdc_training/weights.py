@@ -8,6 +8,7 @@ import torch
 from . import safetensors
 from .network import StdcSeg, inference_state
 from .widen import widen
+from .widths import Widths
 
 FORMAT = safetensors.CHECKED_FORMAT
 FORMATS = ("stdc-weights-1", FORMAT)  # the first may lack its checksum
@@ -57,8 +58,7 @@ def load(path):
     network = StdcSeg(
         entries["architecture"],
         classes=len(json.loads(entries["classes"])),
-        divisor=32 // tensors["backbone.stage1.conv.weight"].shape[0],
-        head=tensors["head.conv.conv.weight"].shape[0],
+        widths=Widths.of(tensors, entries["architecture"]),
         training_heads=False,
     )
     state = {name: torch.from_numpy(array.astype(np.float32)) for name, array in tensors.items()}
@@ -67,6 +67,16 @@ def load(path):
     if missing or unknown:
         raise ValueError(f"{path}: tensors missing {missing[:3]}, unknown {unknown[:3]}")
     return network.eval(), entries
+
+
+def load_frozen(path):
+    """The network of a weights file for inference alone: normalisation in the convolutions."""
+    network = load(path)[0]
+    for module in network.modules():
+        if hasattr(module, "bn"):
+            module.conv = torch.nn.utils.fusion.fuse_conv_bn_eval(module.conv, module.bn)
+            module.bn = torch.nn.Identity()
+    return network.requires_grad_(False)
 
 
 def begin_from(path, network):
@@ -82,8 +92,14 @@ def begin_from(path, network):
     if wrong or entries["architecture"] != network.architecture:
         what = wrong[0] if wrong else entries["architecture"]
         raise ValueError(f"{path}: {what} does not fit; give --architecture of the file and "
-                         "--divisor and --head not below its width")
+                         "--channels or --divisor and --head not below its width")
     widen(trained, network)
+
+
+def widths_of(path):
+    """(architecture, Widths) of a weights file."""
+    tensors, entries = safetensors.read(path)
+    return entries["architecture"], Widths.of(tensors, entries["architecture"])
 
 
 def normalised(images):

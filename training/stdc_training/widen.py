@@ -92,14 +92,14 @@ def widen(narrow, wide):
         stages[name] = channels = _fill(one, other, channels)
     one, other = narrow.context, wide.context
     _fill(one.pool, other.pool, stages["stage5"])
-    context = _fill(one.arm5, other.arm5, stages["stage5"])
+    deep = _fill(one.arm5, other.arm5, stages["stage5"])
     _fill(one.arm4, other.arm4, stages["stage4"])
-    for head in ("head5", "head4"):
-        _fill(getattr(one, head), getattr(other, head), context)
+    sixteenth = _fill(one.head5, other.head5, deep)
+    context = _fill(one.head4, other.head4, sixteenth)
     before_context = wide.ffm.conv.conv.in_channels - other.head4.conv.out_channels
     fused = _fill(narrow.ffm, wide.ffm, torch.cat([stages["stage3"], before_context + context]))
     _fill(narrow.head, wide.head, fused)
-    sources = {"auxiliary8": context, "auxiliary16": context, "detail": stages["stage3"]}
+    sources = {"auxiliary8": context, "auxiliary16": sixteenth, "detail": stages["stage3"]}
     for name, channels in sources.items():
         if hasattr(narrow, name) and hasattr(wide, name):
             _fill(getattr(narrow, name), getattr(wide, name), channels)

@@ -12,7 +12,8 @@ import torch
 
 from stdc_training import evaluation_sets, people, views
 from stdc_training.compose import compose
-from stdc_training.samples import Samples
+from stdc_training.rgbd_camera import _mosaic, rgbd_camera
+from stdc_training.samples import Samples, TaughtSamples, source_of
 
 from .made_up import write_packed
 
@@ -49,6 +50,27 @@ class ViewsTest(unittest.TestCase):
         self.assertGreater(max(shares), 0.7)
 
 
+class CameraTest(unittest.TestCase):
+    def test_it_is_a_camera_picture_of_the_same(self):
+        rng = np.random.default_rng(4)
+        ramp = np.tile(np.linspace(0, 255, 64), (48, 1))
+        image = np.dstack([ramp, ramp[:, ::-1], np.full_like(ramp, 90)]).astype(np.uint8)
+        differences = []
+        for _ in range(20):
+            found = rgbd_camera(rng, image)
+            self.assertEqual((found.shape, found.dtype), (image.shape, np.uint8))
+            differences.append(np.abs(found.astype(float) - image).mean())
+            ramps = np.corrcoef(found[..., 0].ravel(), image[..., 0].ravel())[0, 1]
+            self.assertGreater(ramps, 0.7)
+        self.assertGreater(np.mean(differences), 5)
+
+    def test_the_mosaic_keeps_flat_colours(self):
+        image = np.full((16, 16, 3), (200, 120, 40), np.uint8)
+        rng = np.random.default_rng(4)
+        for _ in range(12):
+            np.testing.assert_array_equal(_mosaic(rng, image), image)
+
+
 class DataTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -83,6 +105,31 @@ class DataTest(unittest.TestCase):
         self.assertLessEqual(set(values), {0, 1, 255})
         self.assertGreater(values[1], 20)  # samples that show a person
         self.assertLess(values[1], 60)  # and some without
+
+    def test_clean_images_for_a_teacher(self):
+        taught = TaughtSamples(self.packed, (64, 48), 40, seed=7, camera=0.5)
+        plain = Samples(self.packed, (64, 48), 40, seed=7, camera=0.5)
+        exact = set()
+        for i in range(40):
+            seen, label, clean, known = taught[i]
+            self.assertTrue(torch.equal(seen, plain[i][0]) and torch.equal(label, plain[i][1]))
+            self.assertEqual((clean.shape, clean.dtype), (seen.shape, seen.dtype))
+            exact.add(known)
+        self.assertEqual(exact, {0, 1})
+
+    def test_sources_can_be_left_out(self):
+        sources = ["ccp_masked", "human291_masked", "kitchen"]
+        samples = Samples(self.packed, (64, 48), 30, sources=sources)
+        used = {source_of(packed.index[i]) for rooms in samples._scenes.values()
+                for packed, i in rooms}
+        for groups in (samples._kinds, samples._cutouts):
+            used |= {source_of(samples._packed.index[i]) for group in groups.values()
+                     for i in group}
+        self.assertEqual(used, set(sources))
+        for i in range(30):
+            samples[i]
+        with self.assertRaisesRegex(ValueError, "--sources kitchen"):
+            Samples(self.packed, (64, 48), 30, sources=["kitchen"])
 
     def test_composed_labels_lie_on_the_pasted_people(self):
         packed = people.Packed(self.packed, "train")

@@ -9,7 +9,7 @@ import torch
 
 from stdc_training.detail import DetailTarget, detail_loss
 from stdc_training.losses import (hard_cross_entropy, margin, plain_cross_entropy, soft_labels,
-                                   softened)
+                                   softened, total_loss, without_doubt)
 
 
 class DetailTest(unittest.TestCase):
@@ -88,6 +88,19 @@ class CrossEntropyTest(unittest.TestCase):
         person, known = soft_labels(torch.tensor([[[1, 0, 255]]]), 1)
         mixed = softened(person, known, torch.full((1, 1, 3), math.log(3.0)), 0.5)
         torch.testing.assert_close(mixed, torch.tensor([[[0.875, 0.375, 0.0]]]))
+
+    def test_doubtful_labels_of_a_network_are_unknown(self):
+        labels = torch.tensor([[[1, 0, 1, 0]]] * 2)
+        margins = torch.tensor([[[-5.0, 5.0, 5.0, 0.5]]] * 2)
+        teacher = torch.stack([torch.zeros_like(margins), margins], 1)
+        found = without_doubt(labels, torch.tensor([0, 1]), teacher)
+        self.assertEqual(found.tolist(), [[[255, 255, 1, 0]], [[1, 0, 1, 0]]])
+
+    def test_without_heads_of_training(self):
+        labels = torch.randint(0, 2, (2, 64, 64))
+        loss, parts = total_loss({"main": torch.randn(2, 2, 8, 8)}, labels, DetailTarget(), False, 2)
+        self.assertEqual(set(parts), {"main", "region"})
+        self.assertAlmostEqual(float(loss), float(sum(parts.values())), 5)
 
 
 if __name__ == "__main__":

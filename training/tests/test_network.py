@@ -59,7 +59,7 @@ class NetworkTest(unittest.TestCase):
             StdcSeg("STDC3")
 
     def test_module_with_stride_pools_its_first_block(self):
-        module = StdcModule(8, 16, 2).eval()
+        module = StdcModule(8, (8, 4, 2, 2), 2).eval()
         x = torch.randn(1, 8, 12, 12)
         first = torch.nn.functional.avg_pool2d(module.blocks[0](x), 3, 2, 1)
         output = module(x)

@@ -31,8 +31,8 @@ class TrainTest(unittest.TestCase):
     @staticmethod
     def run_steps(trainer, count):
         losses = []
-        for pixels, labels in train.batches(trainer.options, trainer.images):
-            losses.append(trainer.step(pixels, labels)["main"])
+        for batch in train.batches(trainer.options, trainer.images):
+            losses.append(trainer.step(*batch)["main"])
             if len(losses) == count:
                 break
         return losses
