@@ -163,17 +163,22 @@ def fit(slim, name, wanted, batches):
 
 
 def _set_unit(unit, found, gram):
-    """Weights and offset `found` [inputs + 1, outputs], normalised by what the layer sees."""
+    """Weights and offset `found` [inputs + 1, outputs], normalised by what the layer sees.
+
+    The weights stay as large as they were, because their size before the normalisation, which
+    otherwise means nothing, decides how far a training step turns them.
+    """
     samples, sums = gram[-1, -1], gram[-1, :-1]
-    weight = found[:-1]
+    size = unit.conv.weight.square().mean().sqrt() / found[:-1].square().mean().sqrt()
+    weight = size * found[:-1]
     mean = sums @ weight / samples
     square = torch.einsum("io,ij,jo->o", weight, gram[:-1, :-1], weight) / samples
-    variance = (square - mean**2).clamp(min=1e-6)
+    variance = (square - mean**2).clamp(min=1e-9)
     unit.conv.weight.copy_(weight.T.reshape(unit.conv.weight.shape))
     unit.bn.running_mean.copy_(mean)
     unit.bn.running_var.copy_(variance)
-    unit.bn.weight.copy_((variance + unit.bn.eps).sqrt())
-    unit.bn.bias.copy_(found[-1] + mean)
+    unit.bn.weight.copy_((variance + unit.bn.eps).sqrt() / size)
+    unit.bn.bias.copy_(found[-1] + mean / size)
 
 
 def prune(wide, size, share, batches, fitted=True, report=print):
