@@ -24,7 +24,9 @@ void add_segmentation_options(Command command, SegmentationOptions& options) {
       "--masks", options.masks,
       "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
       "in the sequence");
-  command.add_option("--weights", options.weights, "Weights of the network; default: those that ship");
+  command.add_option(
+      "--weights", options.weights,
+      "Weights of the network, or slim: smaller ones that ship; default: the full ones that ship");
   add_dynamic_option(command, options.dynamic_classes);
   command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
       .type_name("on|off");

@@ -82,8 +82,9 @@ std::string NetworkSegmenter::description() const {
                      has_checksum_ ? "" : "; weights without a checksum: damage would pass unnoticed");
 }
 
-fs::path find_network_weights() {
-  const fs::path name = "models/stdc1-person.safetensors";
+fs::path find_network_weights(const std::string& variant) {
+  const fs::path name =
+      fmt::format("models/stdc1-person{}{}.safetensors", variant.empty() ? "" : "-", variant);
   std::vector<fs::path> places;
   if (const char* folder = std::getenv("STDC_SLAM_MODELS"))
     places.push_back(fs::path(folder) / name.filename());

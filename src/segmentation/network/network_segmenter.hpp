@@ -64,8 +64,8 @@ class NetworkSegmenter : public Segmenter {
 
 /// Where the weights are that ship with the program: `models/stdc1-person.safetensors` in the folder named by
 /// the environment variable STDC_SLAM_MODELS, in share/stdc-slam/ beside the program's folder, or in the
-/// program's folder or one of the four above it (a source tree). Throws Error naming all of them if there is
-/// none.
-std::filesystem::path find_network_weights();
+/// program's folder or one of the four above it (a source tree). With a variant ("slim"):
+/// `models/stdc1-person-slim.safetensors`. Throws Error naming all of them if there is none.
+std::filesystem::path find_network_weights(const std::string& variant = {});
 
 }  // namespace stdc

@@ -6,12 +6,20 @@
 #include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
+namespace {
+
+std::filesystem::path weights_file(const std::filesystem::path& weights) {
+  const bool is_name = !weights.has_parent_path() && !weights.has_extension();
+  return is_name && !std::filesystem::exists(weights) ? find_network_weights(weights.string()) : weights;
+}
+
+}  // namespace
 
 std::unique_ptr<Segmenter> make_weights_segmenter(const std::filesystem::path& weights,
                                                   const NetworkSettings& settings,
                                                   const std::vector<std::string>& dynamic) {
   if (weights.extension() != ".onnx") {
-    NetworkWeights network = read_network_weights(weights.empty() ? find_network_weights() : weights);
+    NetworkWeights network = read_network_weights(weights_file(weights));
     if (!dynamic.empty()) network.choose_dynamic(dynamic);
     return std::make_unique<NetworkSegmenter>(network, settings);
   }
