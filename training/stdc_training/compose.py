@@ -82,8 +82,11 @@ def harmonised(rng, colour, inside, frame):
 
 
 def hide(rng, image, label, other):
-    """Cover part of the people with a piece of another frame: furniture in front of them."""
+    """Cover part of the people with a piece of another frame, or with one colour: furniture or the
+    back of a monitor in front of them."""
     height, width = label.shape
+    if rng.random() < 0.3:
+        other = np.full_like(image, rng.integers(0, 256)) if rng.random() < 0.4 else other // 8
     mask = np.zeros((height, width), np.uint8)
     if rng.random() < 0.5:  # a desk: everything below a sloping line
         left, right = height * rng.uniform(0.5, 1.0, 2)
@@ -91,6 +94,7 @@ def hide(rng, image, label, other):
     else:  # a cabinet, a monitor, a door frame
         w, h = width * rng.uniform(0.08, 0.4), height * rng.uniform(0.15, 0.7)
         x, y = rng.uniform(-0.1, 1) * width, rng.uniform(0.2, 1) * height
+        h = height - y if rng.random() < 0.3 else h  # it stands on a desk, or on the floor
         corners = np.array([(x, y), (x + w, y), (x + w, y + h), (x, y + h)])
         corners = corners + rng.normal(0, 0.03 * width, (4, 2))
     cv2.fillConvexPoly(mask, np.int32(np.round(corners)), 1)

@@ -57,9 +57,17 @@ def region_loss(margins, person, known):
     return 1 - (2 * (found * person).sum() + 1) / (found.sum() + person.sum() + 1)
 
 
-def softened(person, known, margins, share):
-    """The labels mixed with a teacher's probabilities, which weigh `share` of 1."""
-    return (1 - share) * person + share * known * torch.sigmoid(margins)
+def softened(person, known, margins, share, exact=None):
+    """The labels mixed with a teacher's probabilities, which weigh `share` of 1.
+
+    exact [n]: 1 for images whose labels are right, which the teacher does not soften where it says
+    the opposite: its mistakes need not be learnt.
+    """
+    mixed = (1 - share) * person + share * known * torch.sigmoid(margins)
+    if exact is None:
+        return mixed
+    opposite = (margins > 0) != (person > 0.5 * known)
+    return torch.where(opposite & (exact != 0).view(-1, 1, 1), person, mixed)
 
 
 def without_doubt(labels, exact, teacher, certain=0.9):
@@ -70,7 +78,8 @@ def without_doubt(labels, exact, teacher, certain=0.9):
     return torch.where(opposite & (exact == 0).view(-1, 1, 1), IGNORE, labels)
 
 
-def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None, share=0.5):
+def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None, share=0.5,
+               exact=None):
     """Sum of the losses of StdcSeg.forward_training (its heads of training may be missing) and
     its parts by name.
 
@@ -78,12 +87,13 @@ def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None
     hard and many labels near edges are doubtful, and mining those slows the start of a training.
     Squares of `stride` pixels count as one, with the shares of their labels; the auxiliary heads
     only guide, and squares twice as long will do for them. teacher: logits [n, 2, h/8, w/8] of
-    another network that soften the labels, see softened.
+    another network that soften the labels, with `share` and `exact`: see softened.
     """
     def targets(stride):
         person, known = soft_labels(labels, stride)
         if teacher is not None:
-            person = softened(person, known, margin(teacher, person.shape[1:]), share)
+            person = softened(person, known, margin(teacher, person.shape[1:]), share,
+                              exact)
         return person, known
 
     entropy = hard_cross_entropy if hard else plain_cross_entropy

@@ -23,9 +23,11 @@ PHOTO_SHARES = {"ccp_masked": 0.25, "ccp_teacher": 0.15, "lspet_teacher": 0.28,
 CUTOUT_SHARES = {"ccp_masked": 0.45, "ccp_teacher": 0.2, "lspet_teacher": 0.2,
                  "human291_masked": 0.15}
 # Of the people put into rooms, how many are seen without their heads; they stand above desks so.
-DOWNWARD_SHARE = 0.2
+DOWNWARD_SHARE = 0.3
 # How many of them are seen from lower than 1.3 m, down to the height of a knee.
 LOW_SHARE = 0.2
+# How many composed rooms have furniture in front of the people.
+HIDDEN_SHARE = 0.4
 # Of the photos, how many are seen whole.
 WHOLE_SHARE = 0.2
 # A person smaller than this (share of the packed image's height) makes a poor cutout.
@@ -133,7 +135,7 @@ class Samples(torch.utils.data.Dataset):
         cutouts = [(self._packed.index[i], self._packed[i]) for i in picks]
         image, label = compose(rng, frame, cutouts, self._size, self._heights, DOWNWARD_SHARE,
                                LOW_SHARE)
-        if rng.random() < 0.25:
+        if rng.random() < HIDDEN_SHARE:
             image, label = hide(rng, image, label, self._room(rng)[0])
         return image, label, 1
 

@@ -140,10 +140,11 @@ class Trainer:
             with torch.no_grad():
                 advice = self.teacher(self._input(clean)) if self.teacher else None
         if self.teacher:
-            labels = without_doubt(labels, exact.to(self.device), advice)
+            exact = exact.to(self.device)
+            labels = without_doubt(labels, exact, advice)
         loss, parts = total_loss(outputs, labels, self.detail,
                                  self.images >= self.options.hard_after, self.options.loss_stride,
-                                 advice, self.options.teacher_share)
+                                 advice, self.options.teacher_share, exact)
         self.optimiser.zero_grad(set_to_none=True)
         self.scaler.scale(loss).backward()
         self.scaler.step(self.optimiser)

@@ -89,6 +89,14 @@ class CrossEntropyTest(unittest.TestCase):
         mixed = softened(person, known, torch.full((1, 1, 3), math.log(3.0)), 0.5)
         torch.testing.assert_close(mixed, torch.tensor([[[0.875, 0.375, 0.0]]]))
 
+    def test_its_mistakes_are_not_learnt_where_labels_are_exact(self):
+        person, known = soft_labels(torch.tensor([[[1, 0, 0]]] * 2), 1)
+        margins = torch.full((2, 1, 3), math.log(3.0))
+        margins[..., 2] *= -1
+        mixed = softened(person, known, margins, 0.5, torch.tensor([0, 1]))
+        torch.testing.assert_close(mixed, torch.tensor([[[0.875, 0.375, 0.125]],
+                                                        [[0.875, 0.0, 0.125]]]))
+
     def test_doubtful_labels_of_a_network_are_unknown(self):
         labels = torch.tensor([[[1, 0, 1, 0]]] * 2)
         margins = torch.tensor([[[-5.0, 5.0, 5.0, 0.5]]] * 2)
