@@ -77,3 +77,16 @@ def composed(packed, size, count, seed=11):
         if (label == 1).mean() > 0.01:
             found.append((image, label))
     return found
+
+
+def turned(pairs, seed=13):
+    """The same pictures as a camera sees them that is turned about its axis by 15 to 40 degrees,
+    scaled so that little of their surroundings, mirrored in, is seen."""
+    rng = np.random.default_rng(seed)
+    found = []
+    for image, label in pairs:
+        height, width = label.shape
+        angle = np.deg2rad(rng.uniform(15, 40)) * rng.choice([-1, 1])
+        view = affine((width / 2, height / 2), 0.8 * height, (width, height), angle)
+        found.append(warp(np.dstack([image, label]), view, (width, height)))
+    return found

@@ -22,6 +22,7 @@ def validation_sets(packed, size):
     for kind in people.KINDS:
         sets[kind] = evaluation_sets.photos(packed, (kind,), size)
     sets["composed rooms"] = evaluation_sets.composed(packed, size, 120)
+    sets["turned rooms"] = evaluation_sets.turned(sets["composed rooms"])
     sets["close-ups"] = evaluation_sets.close_ups(packed, size, 120)
     sets["empty rooms"] = evaluation_sets.without_people(packed, size, True)
     sets["other places without people"] = evaluation_sets.without_people(packed, size, False)

@@ -147,6 +147,7 @@ class DataTest(unittest.TestCase):
         for pairs in (evaluation_sets.photos(packed, people.KINDS, (64, 64)),
                       evaluation_sets.composed(packed, (64, 64), 3),
                       evaluation_sets.close_ups(packed, (64, 64), 3),
+                      evaluation_sets.turned(evaluation_sets.composed(packed, (64, 64), 3)),
                       evaluation_sets.without_people(packed, (64, 64), True)):
             self.assertTrue(pairs)
             for image, label in pairs:
