@@ -151,8 +151,9 @@ TEST(FindNetworkWeights, LooksInTheNamedFolderFirst) {
   setenv("STDC_SLAM_MODELS", folder.path().c_str(), 1);
   EXPECT_EQ(find_network_weights(), folder / "stdc1-person.safetensors");
   EXPECT_NE(message_of([] { make_weights_segmenter("", {}); }).find("too short"), std::string::npos);
-  EXPECT_NE(message_of([] { make_weights_segmenter("tiny", {}); })
-                .find("stdc1-person-tiny.safetensors: the network's weights were not found"),
+  EXPECT_NE(message_of([] {
+              make_weights_segmenter("tiny", {});
+            }).find("stdc1-person-tiny.safetensors: the network's weights were not found"),
             std::string::npos);
   folder.write("stdc1-person-tiny.safetensors", std::string("x"));
   EXPECT_EQ(find_network_weights("tiny"), folder / "stdc1-person-tiny.safetensors");
