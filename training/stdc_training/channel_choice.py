@@ -100,7 +100,7 @@ def moments(network, batches):
     generator = torch.Generator().manual_seed(0)
     for batch in batches:
         logits = network(batch.requires_grad_())
-        margins = logits[:, 1] - logits[:, 0]
+        margins = logits[:, 1:].logsumexp(1) - logits[:, 0]
         chance = torch.sigmoid(margins.detach())
         signs = torch.randint(0, 2, margins.shape, generator=generator) * 2 - 1
         (margins * signs * (chance * (1 - chance) + 0.01).sqrt()).sum().backward()

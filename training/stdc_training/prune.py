@@ -226,8 +226,9 @@ def main():
     wide, entries = weights.load(options.wide)
     batches = list(batches_of(options.data, options.size, options.images))
     slim = prune(wide, options.size, options.share, lambda: batches)
-    notes = weights.metadata(slim, json.loads(f"[{entries['input_width']}, "
-                                              f"{entries['input_height']}]"), entries["licence"])
+    size = int(entries["input_width"]), int(entries["input_height"])
+    notes = weights.metadata(slim, size, entries["licence"], None, json.loads(entries["classes"]),
+                             json.loads(entries["dynamic_classes"]))
     weights.save(options.slim, slim, notes)
 
 
