@@ -52,7 +52,7 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     if (recent_.size() >= kLag) scene_.find_receding(recent_[recent_.size() - kLag], frame, findings);
     belief_.add(findings);
     belief_.add_opinion(cells_of(input.moving), 2);
-    belief_.add_opinion(segmented, 2);
+    belief_.add_opinion(segmented, 2, true);
     belief_.smooth(frame.grid);
     for (std::size_t i = 0; i < findings.size(); ++i) {
       doubtful_[i] = belief_.moves(i) || (findings[i].fresh > 0 && findings[i].known == 0) ? 1 : 0;

@@ -133,6 +133,23 @@ TEST(MapMotion, WhatComesInFromWhereNobodyHasLookedMovesAsAWhole) {
   }
 }
 
+// A segmenter calls something that is joined to the wall a person in the very first frames, when nobody knows
+// the wall.
+TEST(MapMotion, WhatASegmentersPersonTouchesDoesNotMoveWithIt) {
+  Fixture f;
+  cv::Mat person = cv::Mat::zeros(240, 320, CV_8UC1);
+  person(cv::Rect(120, 60, 70, 120)) = 255;
+  f.run.segmented = person;
+  for (int i = 0; i < 10; ++i) {
+    // Sideways, so that ever more of the wall has not been seen before.
+    f.run.see({0.06 * i, 0, 0});
+    EXPECT_LT(f.dynamic_share(), 0.15) << i;
+  }
+  f.run.segmented.release();
+  for (int i = 10; i < 40; ++i) f.run.see({0.6, 0, 0});
+  EXPECT_LT(f.dynamic_share(), 0.01) << "the wall has become known";
+}
+
 TEST(MapMotion, WhatPausesDoesNotMoveNowButStaysMasked) {
   Fixture f;
   f.look_at_empty_wall(10);

@@ -103,12 +103,13 @@ void MotionBelief::add(const std::vector<CellFinding>& findings) {
   }
 }
 
-void MotionBelief::add_opinion(const std::vector<std::uint8_t>& dynamic, float weight) {
+void MotionBelief::add_opinion(const std::vector<std::uint8_t>& dynamic, float weight, bool whole) {
   if (log_odds_.size() != dynamic.size()) log_odds_.assign(dynamic.size(), 0);
   for (std::size_t i = 0; i < dynamic.size(); ++i) {
     if (dynamic[i] == 0) continue;
     log_odds_[i] += weight;
-    if (i < unknown_.size()) unknown_[i] = 0;
+    if (i >= unknown_.size() || unknown_[i] == 0) continue;
+    unknown_[i] = whole ? kOpinion : 0;
   }
 }
 
@@ -170,13 +171,13 @@ void MotionBelief::fill_unknown(const DepthGrid& now) {
   const auto fill = [&](int x, int y, std::initializer_list<Offset> offsets) {
     const std::size_t i = geometry_.index(x, y);
     const float depth = now.depth[i];
-    if (unknown_[i] == 0 || unknown_[i] == kTakenOver || depth == 0) return;
+    if ((unknown_[i] != 1 && unknown_[i] != kFilled) || depth == 0) return;
     const float reach = 1 / (kLink + kLinkGrowth * depth);
     float sum = 0, links = 0;
     for (const Offset& offset : offsets) {
       if (x + offset.x < 0 || y + offset.y < 0 || x + offset.x >= width || y + offset.y >= height) continue;
       const std::size_t other = geometry_.index(x + offset.x, y + offset.y);
-      if (unknown_[other] == 1 || now.depth[other] == 0) continue;
+      if (unknown_[other] == 1 || unknown_[other] == kOpinion || now.depth[other] == 0) continue;
       const float link = std::max(0.0F, 1 - std::abs(now.depth[other] - depth) * reach);
       sum += link * log_odds_[other];
       links += link;

@@ -35,8 +35,11 @@ class MotionBelief {
              const std::vector<CellSource>& sources, bool little_known = false);
   /// Adds what was found about each cell.
   void add(const std::vector<CellFinding>& findings);
-  /// Adds the opinion of a segmenter: `dynamic` of each cell 0 or not, `weight` log-odds.
-  void add_opinion(const std::vector<std::uint8_t>& dynamic, float weight);
+  /// Adds what others than the views say: `dynamic` of each cell 0 or not, `weight` log-odds.
+  /// @param whole  it is meant to cover things whole, as a segmenter does: then what a thing touches, such as
+  /// the
+  ///               floor that a person stands on, is not joined to it, see smooth()
+  void add_opinion(const std::vector<std::uint8_t>& dynamic, float weight, bool whole = false);
   /// Neighbours on the same surface share what they know.
   void smooth(const DepthGrid& now);
 
@@ -62,7 +65,7 @@ class MotionBelief {
   bool little_known_ = false;
   std::vector<float> log_odds_;
   // Of a cell about whose surface no view has told anything so far (else 0): 1, or where its belief is from.
-  static constexpr std::uint8_t kFilled = 2, kTakenOver = 3, kVisited = 4;
+  static constexpr std::uint8_t kFilled = 2, kTakenOver = 3, kVisited = 4, kOpinion = 5;
   std::vector<std::uint8_t> unknown_;
 };
 

@@ -91,6 +91,7 @@ void WallRun::see(const Eigen::Vector3d& centre, const cv::Mat& hole) {
   if (!hole.empty()) input.depth.setTo(0, hole);
   input.motion = CameraMotion(scene.camera, Vector6d::Zero());
   input.cam_from_world = Pose(Eigen::Quaterniond::Identity(), -centre);
+  input.segmented = segmented;
   input.trusted = true;
   input.reference = {0};
   input.frame_from_reference = *input.cam_from_world;

@@ -32,6 +32,7 @@ struct WallRun {
   WallScene scene;
   MotionDetector& detector;
   int frame = 0;
+  cv::Mat segmented;  ///< what a segmenter says of the next frames; empty: there is none
   std::vector<LandmarkId> gone;
 
   explicit WallRun(MotionDetector& motion_detector) : detector(motion_detector) {}
