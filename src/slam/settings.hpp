@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/setting.hpp"
-#include "dense/inpainting_settings.hpp"
+#include "dense/inpainting/inpainting_settings.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/noise_settings.hpp"
 #include "estimation/pose_graph.hpp"

@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
-#include "dense/inpainter.hpp"
+#include "dense/inpainting/inpainter.hpp"
 #include "run/frame_loader.hpp"
 #include "run/progress.hpp"
 #include "slam/worker.hpp"

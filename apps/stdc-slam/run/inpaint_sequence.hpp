@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dense/inpainting_settings.hpp"
+#include "dense/inpainting/inpainting_settings.hpp"
 #include "run/inpainted_folder.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/mask_record.hpp"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "dense/inpainter.hpp"
+#include "dense/inpainting/inpainter.hpp"
 #include "input/layouts/tum_writer.hpp"
 #include "run/sequence_input.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "dense/background_view.hpp"
+#include "dense/inpainting/background_view.hpp"
 
 namespace stdc {
 

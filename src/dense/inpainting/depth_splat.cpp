@@ -1,4 +1,4 @@
-#include "dense/depth_splat.hpp"
+#include "dense/inpainting/depth_splat.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

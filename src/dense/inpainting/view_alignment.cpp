@@ -1,4 +1,4 @@
-#include "dense/view_alignment.hpp"
+#include "dense/inpainting/view_alignment.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/rgbd_image.hpp"
-#include "dense/background_store.hpp"
-#include "dense/inpainting_settings.hpp"
+#include "dense/inpainting/background_store.hpp"
+#include "dense/inpainting/inpainting_settings.hpp"
 #include "dense/ray_table.hpp"
 
 namespace stdc {

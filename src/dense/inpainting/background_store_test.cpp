@@ -1,8 +1,8 @@
-#include "dense/background_store.hpp"
+#include "dense/inpainting/background_store.hpp"
 
 #include <gtest/gtest.h>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

@@ -3,9 +3,9 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "dense/depth_splat.hpp"
-#include "dense/inpainting_settings.hpp"
-#include "dense/view_alignment.hpp"
+#include "dense/inpainting/depth_splat.hpp"
+#include "dense/inpainting/inpainting_settings.hpp"
+#include "dense/inpainting/view_alignment.hpp"
 
 namespace stdc {
 

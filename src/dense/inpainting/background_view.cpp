@@ -1,9 +1,9 @@
-#include "dense/background_view.hpp"
+#include "dense/inpainting/background_view.hpp"
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "dense/depth_completion.hpp"
+#include "dense/inpainting/depth_completion.hpp"
 
 namespace stdc {
 

@@ -1,4 +1,4 @@
-#include "dense/mask_growth.hpp"
+#include "dense/inpainting/mask_growth.hpp"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "dense/inpainter.hpp"
+#include "dense/inpainting/inpainter.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <opencv2/core.hpp>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

@@ -1,13 +1,13 @@
-#include "dense/inpainter.hpp"
+#include "dense/inpainting/inpainter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "dense/background_fill.hpp"
-#include "dense/depth_splat.hpp"
-#include "dense/mask_growth.hpp"
-#include "dense/view_alignment.hpp"
+#include "dense/inpainting/background_fill.hpp"
+#include "dense/inpainting/depth_splat.hpp"
+#include "dense/inpainting/mask_growth.hpp"
+#include "dense/inpainting/view_alignment.hpp"
 
 namespace stdc {
 namespace {

@@ -3,8 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "dense/depth_splat.hpp"
-#include "dense/inpainting_settings.hpp"
+#include "dense/inpainting/depth_splat.hpp"
+#include "dense/inpainting/inpainting_settings.hpp"
 
 namespace stdc {
 

@@ -1,4 +1,4 @@
-#include "dense/background_store.hpp"
+#include "dense/inpainting/background_store.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "dense/background_view.hpp"
-#include "dense/inpainting_settings.hpp"
+#include "dense/inpainting/background_view.hpp"
+#include "dense/inpainting/inpainting_settings.hpp"
 
 namespace stdc {
 

@@ -1,4 +1,4 @@
-#include "dense/background_fill.hpp"
+#include "dense/inpainting/background_fill.hpp"
 
 #include <algorithm>
 #include <array>

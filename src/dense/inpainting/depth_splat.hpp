@@ -2,7 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "dense/view_alignment.hpp"
+#include "dense/inpainting/view_alignment.hpp"
 
 namespace stdc {
 

@@ -1,4 +1,4 @@
-#include "dense/depth_completion.hpp"
+#include "dense/inpainting/depth_completion.hpp"
 
 #include <algorithm>
 #include <vector>
