@@ -30,8 +30,11 @@ void read(const std::string& bytes) {
       keyframe.features->for_each_in_window(20, 12, 1e7F, 0, 64, [&](int) { ++seen; });
       if (seen != keyframe.features->size()) std::abort();
     }
+    for (const auto& view : stored.views) {
+      if (!stored.atlas.has(view->reference)) std::abort();
+    }
     std::ostringstream again;
-    stdc::write_map(again, stored.camera, stored.atlas);
+    stdc::write_map(again, stored.camera, stored.atlas, stored.views);
     if (again.str().empty()) std::abort();
   } catch (const stdc::Error&) {
   }

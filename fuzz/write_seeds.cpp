@@ -63,8 +63,15 @@ std::string small_map(int maps, bool patches) {
     atlas.update_covisibility(id);
     if (second) atlas.add_loop_edge({id.value - 1}, id);
   }
+  stdc::DenseViews views;  // of some maps
+  if (maps > 1) {
+    stdc::DenseView view;
+    view.reference = {1};
+    view.depth = {1, 2, 3}, view.support = {4}, view.colour = {5, 6};
+    views.push_back(std::make_shared<const stdc::DenseView>(view));
+  }
   std::ostringstream stream;
-  stdc::write_map(stream, camera, atlas);
+  stdc::write_map(stream, camera, atlas, views);
   return stream.str();
 }
 

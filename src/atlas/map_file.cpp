@@ -1,8 +1,6 @@
 #include "atlas/map_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +13,7 @@
 #include "atlas/connect_map.hpp"
 #include "atlas/keyframe_record.hpp"
 #include "atlas/record_stream.hpp"
+#include "core/whole_file.hpp"
 
 namespace stdc {
 namespace {
@@ -117,6 +116,41 @@ void write_landmarks(std::ostream& stream, const Atlas& atlas, const NewIds& ids
   }
 }
 
+void put_image(RecordWriter& out, const std::vector<std::uint8_t>& bytes) {
+  out.put(static_cast<std::uint32_t>(bytes.size()));
+  out.put_bytes(bytes.data(), bytes.size());
+}
+
+std::vector<std::uint8_t> get_image(RecordReader& in) {
+  std::vector<std::uint8_t> bytes(in.get_count(1));
+  in.get_bytes(bytes.data(), bytes.size());
+  return bytes;
+}
+
+void write_views(std::ostream& stream, const Atlas& atlas, const NewIds& ids, const DenseViews& views) {
+  RecordWriter out;
+  for (const auto& view : views) {
+    const Atlas::KeptAncestor kept = atlas.resolve(view->reference);
+    out.put(ids.keyframes[kept.keyframe.value]);
+    put_pose(out, view->cam_from_reference * kept.cam_from_ancestor);
+    out.put(static_cast<std::int32_t>(view->frame));
+    out.put(view->timestamp);
+    for (const auto* image : {&view->depth, &view->support, &view->colour}) put_image(out, *image);
+    out.finish(stream, "VIEW");
+  }
+}
+
+std::shared_ptr<const DenseView> get_view(RecordReader& in, std::size_t keyframes) {
+  auto view = std::make_shared<DenseView>();
+  view->reference = {in.get_number<std::uint32_t>(0, KeyframeId::kNone - 1)};
+  in.check(view->reference.value < keyframes, "a view belongs to no keyframe");
+  view->cam_from_reference = get_pose(in);
+  view->frame = in.get<std::int32_t>();
+  view->timestamp = in.get_number<double>(-1e12, 1e12);
+  for (auto* image : {&view->depth, &view->support, &view->colour}) *image = get_image(in);
+  return view;
+}
+
 std::uint32_t read_header(RecordReader& in, const std::string& name) {
   std::array<char, 16> head{};
   const bool whole = in.read_plain(head.data(), head.size());
@@ -136,21 +170,14 @@ std::uint32_t read_header(RecordReader& in, const std::string& name) {
   return version;
 }
 
-/// Brings what was written to the disk. False if that fails.
-bool flush_to_disk(const std::filesystem::path& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool done = fsync(file) == 0;
-  close(file);
-  return done;
-}
-
 }  // namespace
 
-void write_map(std::ostream& stream, const Camera& camera, const Atlas& atlas) {
+void write_map(std::ostream& stream, const Camera& camera, const Atlas& atlas, const DenseViews& views) {
+  constexpr std::uint32_t kWithoutViews = 2;
+  const std::uint32_t version = views.empty() ? kWithoutViews : kMapFileVersion;
   std::array<char, 16> head{};
   std::memcpy(head.data(), kMagic.data(), kMagic.size());
-  std::memcpy(head.data() + 8, &kMapFileVersion, 4);
+  std::memcpy(head.data() + 8, &version, 4);
   const std::uint32_t sum = check_sum(head.data(), 12);
   std::memcpy(head.data() + 12, &sum, 4);
   stream.write(head.data(), head.size());
@@ -163,6 +190,7 @@ void write_map(std::ostream& stream, const Camera& camera, const Atlas& atlas) {
     out.finish(stream, "KEYF");
   }
   write_landmarks(stream, atlas, ids);
+  write_views(stream, atlas, ids, views);
   out.put(static_cast<std::uint32_t>(atlas.keyframe_count()));
   out.finish(stream, "ENDM");
 }
@@ -176,9 +204,12 @@ StoredMap read_map(std::istream& stream, const std::string& name) {
   in.expect_end();
   std::vector<Keyframe> keyframes;
   std::vector<Landmark> landmarks;
+  DenseViews views;
   for (in.next(); in.tag() != "ENDM"; in.next()) {
     if (in.tag() == "KEYF") {
       keyframes.push_back(get_keyframe(in, camera, {static_cast<std::uint32_t>(keyframes.size())}));
+    } else if (in.tag() == "VIEW" && version >= 3) {
+      views.push_back(get_view(in, keyframes.size()));
     } else {
       in.check(in.tag() == "LAND", "a record is of no known kind");
       const std::size_t count = in.get_count(kLandmarkBytes);
@@ -192,26 +223,14 @@ StoredMap read_map(std::istream& stream, const std::string& name) {
   in.expect_end();
   in.check(stream.peek() == std::istream::traits_type::eof(), "something follows its end");
   connect_map(in, keyframes, landmarks);
-  return {camera, Atlas(std::move(keyframes), std::move(landmarks)), version};
+  return {camera, Atlas(std::move(keyframes), std::move(landmarks)), version, std::move(views)};
 }
 
-void save_map(const std::filesystem::path& path, const Camera& camera, const Atlas& atlas) {
-  std::filesystem::path partial = path;
-  partial += fmt::format(".partial-{}", getpid());
-  std::error_code problem;
-  errno = 0;
-  {
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    if (stream) write_map(stream, camera, atlas);
-    stream.close();
-    if (!stream || !flush_to_disk(partial)) problem.assign(errno != 0 ? errno : EIO, std::generic_category());
-  }
-  if (!problem) std::filesystem::rename(partial, path, problem);
-  if (!problem) return;
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  throw Error(path.string(), fmt::format("cannot be written ({})", problem.message()),
-              "check that its folder exists, may be written to, and has room");
+void save_map(const std::filesystem::path& path, const Camera& camera, const Atlas& atlas,
+              const DenseViews& views) {
+  WholeFile file(path);
+  write_map(file.stream(), camera, atlas, views);
+  file.commit();
 }
 
 StoredMap load_map(const std::filesystem::path& path) {

@@ -156,7 +156,7 @@ TEST(MapFile, ANewerVersionIsNamed) {
   std::memcpy(bytes.data() + 12, &sum, 4);
   EXPECT_EQ(
       message_of([&] { map_of(bytes); }),
-      "some.map: is a map of version 3, this program reads up to 2; use a newer program, or make the map "
+      "some.map: is a map of version 4, this program reads up to 3; use a newer program, or make the map "
       "again");
 }
 

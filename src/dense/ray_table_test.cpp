@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

@@ -25,13 +25,17 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
       extractor_(settings.features),
       tracker_({sensor_, settings.pose_optimisation}, tracking_settings(settings)),
       relocaliser_(settings.tracking),
-      back_end_(camera, settings) {
+      back_end_(camera, settings),
+      view_planner_(settings.dense) {
   if (segmenter) {
     semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
                                                   settings.propagation, std::move(segmenter));
   }
   if (settings.motion.method != MotionMethod::off) {
     motion_ = std::make_unique<MotionThread>(camera, settings.motion, settings.propagation);
+  }
+  if (settings.dense.active && !settings.system.localisation_only) {
+    dense_ = std::make_unique<DenseThread>(camera, settings.dense);
   }
 }
 
@@ -48,6 +52,7 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   if (result.status == TrackingStatus::ok) judge(frame, result);
   if (motion_) observe_motion(frame, result);
   extend_map(frame, result);
+  if (dense_ && result.status == TrackingStatus::ok) note_dense(image, frame);
   describe(frame, result);
   if (settings_.system.report_keypoints || settings_.system.report_masks)
     result.dynamic_mask = dynamic_mask();
@@ -77,6 +82,7 @@ TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
   if (motion_) motion_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
   extractor_.detect(grey);
   if (semantics_ || motion_) reject_dynamic(result);
+  hand_over_dense();
   const auto pyramid = extractor_.pyramid();
   auto features =
       std::make_shared<FrameFeatures>(camera(), extractor_.select(), image.depth,

@@ -10,6 +10,7 @@
 #include "core/camera.hpp"
 #include "features/extractor.hpp"
 #include "slam/back_end.hpp"
+#include "slam/dense_thread.hpp"
 #include "slam/motion_thread.hpp"
 #include "slam/relocaliser.hpp"
 #include "slam/semantic_thread.hpp"
@@ -41,6 +42,10 @@ class Pipeline {
   /// After finish().
   const Atlas& atlas() const { return back_end_.atlas(); }
   KeyframeId first_own_keyframe() const { return first_own_keyframe_; }
+  /// Views of the static scene, those of a loaded map included, by time; waits for the frames under way.
+  DenseViews dense_views() const;
+  /// CPU time of the thread that makes them.
+  DenseThread::Usage dense_usage() const { return dense_ ? dense_->usage() : DenseThread::Usage(); }
 
  private:
   struct PosedFrame {
@@ -73,6 +78,8 @@ class Pipeline {
   void make_keyframe(TrackedFrame& frame, MapId map);
   void refresh_local_map(const std::vector<LandmarkId>& seen);
   void record(const TrackedFrame& frame);
+  void note_dense(const RgbdImage& image, const TrackedFrame& frame);
+  void hand_over_dense();
   void describe(const TrackedFrame& frame, TrackingResult& result) const;
 
   SensorModel sensor_;
@@ -98,6 +105,10 @@ class Pipeline {
   KeyframeId first_own_keyframe_{0};
   std::vector<PosedFrame> posed_;
   BackEnd back_end_;
+  DenseViews loaded_views_;             ///< of a loaded map, if nothing is added to them
+  std::unique_ptr<DenseThread> dense_;  ///< null: no dense map is made
+  ViewPlanner view_planner_;
+  std::optional<DenseFrame> next_dense_;  ///< waits for what the motion thread finds in it
 };
 
 }  // namespace stdc

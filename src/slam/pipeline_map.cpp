@@ -5,6 +5,7 @@
 #include "atlas/map_file.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
+#include "dense/mesh/make_mesh.hpp"
 #include "slam/pipeline.hpp"
 #include "tracking/keyframe_policy.hpp"
 
@@ -99,6 +100,7 @@ std::vector<LoopReport> Pipeline::finish() {
     back_end_.start_pending(frame);
   }
   if (std::exchange(landmarks_removed_, false)) back_end_.refresh_snapshot();
+  hand_over_dense();
   return loops;
 }
 
@@ -115,6 +117,14 @@ void Pipeline::load_map(const std::filesystem::path& path) {
                 "give the camera that 'stdc-slam map info' shows, or make the map again");
   }
   first_own_keyframe_ = {static_cast<std::uint32_t>(stored.atlas.keyframe_id_limit())};
+  if (dense_) {
+    const AtlasSnapshot snapshot(stored.atlas);
+    for (MapId map{0}; map < stored.atlas.next_map(); ++map.value) {
+      dense_->set_views(place_views(stored.views, snapshot, map), map);
+    }
+  } else {
+    loaded_views_ = std::move(stored.views);
+  }
   back_end_.set_atlas(std::move(stored.atlas));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/setting.hpp"
+#include "dense/dense_settings.hpp"
 #include "dense/inpainting/inpainting_settings.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/noise_settings.hpp"
@@ -41,6 +42,7 @@ struct Settings {
   STDC_SECTION(PropagationSettings, propagation, {});
   STDC_SECTION(MotionSettings, motion, {});
   STDC_SECTION(InpaintingSettings, inpainting, {});
+  STDC_SECTION(DenseSettings, dense, {});
   STDC_SECTION(MaskDegradationSettings, mask_degradation, {});
   STDC_SECTION(NoiseSettings, noise, {});
   STDC_SECTION(TrackingSettings, tracking, {});

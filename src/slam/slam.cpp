@@ -4,6 +4,8 @@
 
 #include "atlas/map_file.hpp"
 #include "core/error.hpp"
+#include "dense/fusion/rectifier.hpp"
+#include "dense/mesh/make_mesh.hpp"
 #include "slam/pipeline.hpp"
 
 namespace stdc {
@@ -22,7 +24,8 @@ Settings valid(const Settings& settings) {
 }  // namespace
 
 Slam::Slam(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
-    : pipeline_(std::make_unique<Pipeline>(valid(camera), valid(settings), std::move(segmenter))) {}
+    : dense_(settings.dense),
+      pipeline_(std::make_unique<Pipeline>(valid(camera), valid(settings), std::move(segmenter))) {}
 
 Slam::~Slam() = default;
 
@@ -36,7 +39,7 @@ void Slam::save_map(const std::filesystem::path& path) {
     throw Error(path.string(), "the map is empty, so it was not written",
                 "give frames that show enough with depth; a file that was there is left as it is");
   }
-  stdc::save_map(path, pipeline_->camera(), pipeline_->atlas());
+  stdc::save_map(path, pipeline_->camera(), pipeline_->atlas(), pipeline_->dense_views());
 }
 
 std::vector<FramePose> Slam::trajectory() const { return pipeline_->trajectory(); }
@@ -57,6 +60,21 @@ int Slam::keyframes() const { return pipeline_->snapshot().keyframe_count(); }
 int Slam::landmarks() const { return pipeline_->snapshot().landmark_count(); }
 std::vector<Eigen::Vector3d> Slam::landmark_positions(MapId map) const {
   return pipeline_->snapshot().landmark_positions(map);
+}
+
+std::vector<PlacedView> Slam::dense_views(MapId map) const {
+  return place_views(pipeline_->dense_views(), pipeline_->snapshot(), map);
+}
+
+TriangleMesh Slam::mesh(MapId map, double voxel) const {
+  DenseSettings settings = dense_;
+  if (voxel > 0) settings.voxel = voxel;
+  return make_mesh(dense_views(map), pinhole_of(pipeline_->camera()), settings);
+}
+
+Slam::DenseUsage Slam::dense_usage() const {
+  const DenseThread::Usage usage = pipeline_->dense_usage();
+  return {usage.cpu_ms, usage.frames};
 }
 
 }  // namespace stdc

@@ -6,6 +6,8 @@
 
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
+#include "dense/fusion/make_field.hpp"
+#include "dense/mesh/triangle_mesh.hpp"
 #include "segmentation/segmenter.hpp"
 #include "slam/settings.hpp"
 #include "slam/tracking_result.hpp"
@@ -70,7 +72,24 @@ class Slam {
   /// Positions of the landmarks of a map [m, its world]; for drawing.
   std::vector<Eigen::Vector3d> landmark_positions(MapId map = {0}) const;
 
+  // The dense map, with `dense.active` or a loaded map that carries one. These wait for the frames that are
+  // being fused; results do not change.
+
+  /// Views of the static scene that belong to a map, where the map now has them: see dense/. By time.
+  std::vector<PlacedView> dense_views(MapId map = {0}) const;
+  /// The surface that they show, in the map's world; made anew each time, which takes about 20 ms of CPU time
+  /// a view at 1 cm. Empty if there is none.
+  /// @param voxel  [m]; 0: `dense.voxel`
+  TriangleMesh mesh(MapId map = {0}, double voxel = 0) const;
+  /// CPU milliseconds that fusing frames has taken beside the tracker, and their number.
+  struct DenseUsage {
+    double cpu_ms = 0;
+    int frames = 0;
+  };
+  DenseUsage dense_usage() const;
+
  private:
+  DenseSettings dense_;
   std::unique_ptr<Pipeline> pipeline_;
 };
 

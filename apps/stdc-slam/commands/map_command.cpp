@@ -1,14 +1,21 @@
 // stdc-slam map: what a map file holds, and the same for other programs.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "atlas/map_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/settings_options.hpp"
 #include "core/error.hpp"
+#include "core/text_file.hpp"
+#include "dense/mesh/make_mesh.hpp"
 #include "report/map_export.hpp"
 #include "report/map_report.hpp"
+#include "run/dense_output.hpp"
 #include "run/output_folder.hpp"
 
 namespace stdc::app {
@@ -16,6 +23,11 @@ namespace {
 
 struct Options {
   std::string file, output;
+  std::string mesh, cloud, octomap, grid;  ///< files
+  std::string up;                          ///< "X,Y,Z"
+  std::optional<double> voxel;             ///< [m]
+  std::optional<int> map;                  ///< number of the map
+  SettingsOptions settings;
   bool json = false, quiet = false;
 };
 
@@ -27,12 +39,8 @@ void print_info(const Options& options) {
   fmt::print("{}", options.json ? map_report_json(report) : map_report_text(report));
 }
 
-void export_map(const Options& options) {
-  const StoredMap stored = load_map(options.file);
-  if (stored.atlas.keyframe_count() == 0) {
-    throw Error(options.file, "holds an empty map, there is nothing to export",
-                "give a map with keyframes; map info tells how many there are");
-  }
+void export_points(const Options& options, const StoredMap& stored) {
+  if (options.output.empty()) return;
   OutputFolder output(options.output);
   output.write("points.ply", point_cloud_ply(stored.atlas));
   for (MapId map{0}; map < stored.atlas.next_map(); ++map.value) {
@@ -44,6 +52,92 @@ void export_map(const Options& options) {
   fmt::print("{} landmarks, {} keyframes of {} {}: {}\n", stored.atlas.landmark_count(),
              stored.atlas.keyframe_count(), stored.atlas.map_count(),
              stored.atlas.map_count() == 1 ? "map" : "maps", options.output);
+}
+
+/// "X,Y,Z" as a direction.
+std::optional<Eigen::Vector3d> parse_up(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  std::string words = text;
+  std::replace(words.begin(), words.end(), ',', ' ');
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  const std::vector<std::string_view> parts = split_words(words);
+  bool good = parts.size() == 3;
+  for (int k = 0; good && k < 3; ++k) {
+    const std::optional<double> value = parse_number(parts[static_cast<std::size_t>(k)]);
+    good = value && std::isfinite(*value);
+    if (good) up[k] = *value;
+  }
+  if (!good || !(up.norm() > 1e-6)) {
+    throw Error("--up", fmt::format("{} is no direction", shown(text)), "give three numbers such as 0,-1,0");
+  }
+  return up;
+}
+
+std::vector<DenseTarget> dense_targets(const Options& options) {
+  struct Asked {
+    const std::string& file;
+    const char* option;
+    DenseTarget (*target)(const std::filesystem::path& path, const char* option);
+  };
+  std::vector<DenseTarget> targets;
+  for (const Asked& asked :
+       {Asked{options.mesh, "--mesh", mesh_target}, Asked{options.cloud, "--cloud", cloud_target},
+        Asked{options.octomap, "--octomap", octomap_target}, Asked{options.grid, "--grid", grid_target}}) {
+    if (!asked.file.empty()) targets.emplace_back(asked.target(asked.file, asked.option));
+  }
+  return targets;
+}
+
+MapId chosen_map(const Options& options, const StoredMap& stored, const AtlasSnapshot& snapshot) {
+  if (!options.map) return map_with_most_views(stored.views, snapshot);
+  if (*options.map >= 0 && *options.map < stored.atlas.map_count())
+    return {static_cast<std::uint32_t>(*options.map)};
+  throw Error(options.file, fmt::format("has no map {}", *options.map),
+              fmt::format("its maps are 0 to {}", stored.atlas.map_count() - 1));
+}
+
+void export_dense(const Options& options, std::vector<DenseTarget> targets, const DenseSettings& settings,
+                  const StoredMap& stored) {
+  if (stored.views.empty()) {
+    throw Error(options.file, "has no dense part, so no dense map can be made of it",
+                "make the map again by run --dense FILE --save-map FILE");
+  }
+  const AtlasSnapshot snapshot(stored.atlas);
+  const MapId map = chosen_map(options, stored, snapshot);
+  DenseOutput output(std::move(targets));
+  const DenseReport report =
+      output.write({place_views(stored.views, snapshot, map), stored.camera, settings, parse_up(options.up)});
+  output.commit();
+  if (options.quiet) return;
+  fmt::print("{} ({} vertices, {} triangles of {} views; {:.1f} s, CPU {:.1f} s)\n", output.names(),
+             report.vertices, report.triangles, report.views, report.seconds, report.cpu_seconds);
+  if (report.views < stored.views.size()) {
+    fmt::print("{} views of other maps are not in it; --map N chooses\n", stored.views.size() - report.views);
+  }
+}
+
+void export_map(const Options& options) {
+  const std::vector<DenseTarget> targets = dense_targets(options);
+  if (targets.empty() && options.output.empty()) {
+    throw Error("map export", "nothing is to be written",
+                "give --output FOLDER for the landmarks, or --mesh, --cloud, --octomap or --grid");
+  }
+  Settings settings = chosen_settings(options.settings);
+  check_not_assigned(options.voxel.has_value(), "--voxel", options.settings, "dense.voxel");
+  if (options.voxel) settings.dense.voxel = *options.voxel;
+  settings.validate();
+  if (targets.empty() && (options.voxel || options.map || !options.up.empty())) {
+    throw Error("map export", "--voxel, --map and --up are about the dense map, which is not asked for",
+                "give --mesh, --cloud, --octomap or --grid, too");
+  }
+  parse_up(options.up);
+  const StoredMap stored = load_map(options.file);
+  if (stored.atlas.keyframe_count() == 0) {
+    throw Error(options.file, "holds an empty map, there is nothing to export",
+                "give a map with keyframes; map info tells how many there are");
+  }
+  if (!targets.empty()) export_dense(options, targets, settings.dense, stored);
+  export_points(options, stored);
 }
 
 void add_info(Command map, const std::shared_ptr<Options>& options) {
@@ -61,11 +155,26 @@ Examples:
 }
 
 void add_export(Command map, const std::shared_ptr<Options>& options) {
-  Command command = map.add_subcommand("export", "Point cloud and keyframe poses for other programs");
+  Command command = map.add_subcommand("export", "Dense map, landmarks and keyframes for other programs");
   command.add_option("FILE", options->file, "Map that run --save-map wrote").required();
-  command.add_option("--output,-o", options->output, "Folder for the files; made if need be").required();
+  command.add_option("--output,-o", options->output, "Folder for landmarks and keyframes; made if need be");
+  command.add_option("--mesh", options->mesh, "File for the dense map as a mesh: .glb or .ply");
+  command.add_option("--cloud", options->cloud, "The same as a point cloud: .ply or .pcd");
+  command.add_option("--octomap", options->octomap, "The same as an OctoMap: .bt");
+  command.add_option("--grid", options->grid,
+                     "The same as a plan for robots (ROS map_server): .yaml, and .pgm beside it");
+  command.add_option("--voxel", options->voxel, "Side of the voxels of the dense map, default 0.01")
+      .type_name("METRES");
+  command.add_option("--up", options->up, "What is up in the map, for --grid; default: away from the floor")
+      .type_name("X,Y,Z");
+  command.add_option("--map", options->map, "Which map's dense map; default: the one that shows most");
+  add_settings_options(command, options->settings);
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command.footer(R"(
+The dense map needs a map file of run --dense FILE --save-map FILE. Mesh and cloud are in the coordinates of the map;
+octree and plan have z up and the floor at 0 (the plan's YAML holds the transform). Settings of the section dense
+apply: stdc-slam settings.
+
 Written to the output folder, all at the end or nothing:
   points.ply      the landmarks: x, y, z in metres, grey value, number of keyframes that see it, number of its
                   map (binary PLY, for CloudCompare, MeshLab, Open3D, ...)
@@ -74,7 +183,9 @@ Written to the output folder, all at the end or nothing:
   keyframes-map-1.txt, ...  the same of further maps, each in coordinates of its own
 
 Examples:
-  stdc-slam map export office.map --output office)");
+  stdc-slam map export office.map --output office
+  stdc-slam map export office.map --mesh office.glb --grid office.yaml
+  stdc-slam map export office.map --octomap office.bt --set dense.cell=0.1)");
   command.callback([options] { export_map(*options); });
 }
 

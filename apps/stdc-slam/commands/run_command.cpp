@@ -33,6 +33,9 @@ Written to the output folder, all at the end or nothing:
 groundtruth.txt, and unknown: masks of what no frame has seen (255; black there, depth 0). It is filled with what frames
 before it saw, with --inpaint-all also with what came later. A frame without a pose keeps only what does not move.
 
+--dense FILE makes a map of the surfaces that do not move, in the coordinates of trajectory.txt (octree and plan:
+z up, floor at 0). With --save-map the map file keeps what it is made of, for map export.
+
 A map saved by --save-map holds all maps of the run. --load-map goes on with it: once a mapped place is seen
 again, poses are in its coordinates. With --localisation-only nothing is added to it.
 
@@ -47,6 +50,7 @@ Examples:
   stdc-slam run empty-room --output results --segmentation off --motion off
   stdc-slam run my-sequence --output results --segmentation off --motion map --save-masks masks
   stdc-slam run my-sequence --output results --inpaint empty-room --inpaint-all
+  stdc-slam run my-sequence --output results --dense room.glb --dense map.yaml
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam run second-visit --output results --load-map office.map --save-map office.map
   stdc-slam run third-visit --output results --load-map office.map --localisation-only
@@ -62,6 +66,13 @@ void add_options(Command command, RunOptions& options) {
   add_segmentation_options(command, options.segmentation);
   command.add_option("--load-map", options.load_map, "Map of an earlier run to start from");
   command.add_option("--save-map", options.save_map, "File for the map; written when all went well");
+  command
+      .add_option("--dense", options.dense.files,
+                  "File for the dense map of all that does not move: .glb or .ply (mesh), .pcd (cloud), .bt "
+                  "(OctoMap), .yaml or .pgm (plan for robots); may be given several times")
+      .one_value_each();
+  command.add_option("--dense-voxel", options.dense.voxel, "Side of its voxels, default 0.01")
+      .type_name("METRES");
   command.add_flag("--localisation-only", options.localisation_only,
                    "Only find the camera in the loaded map, and leave that as it is");
   add_frames_option(command, options.input);

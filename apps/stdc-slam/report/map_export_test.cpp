@@ -135,7 +135,8 @@ TEST(MapReport, AnEmptyMapHasNoBox) {
   EXPECT_TRUE(nlohmann::json::parse(map_report_json(empty))["maps"].empty());
   MappedScene bare(stdc::test::Scene(80));
   bare.add_bare(bare.scene.look(Pose()));
-  const MapReport report = describe_map("a.map", 200, {bare.scene.camera, std::move(bare.atlas)});
+  const MapReport report =
+      describe_map("a.map", 200, {bare.scene.camera, std::move(bare.atlas), kMapFileVersion, {}});
   EXPECT_EQ(map_report_text(report).find("inf"), std::string::npos);
   EXPECT_TRUE(nlohmann::json::parse(map_report_json(report))["maps"][0]["bounding_box_m"].is_null());
 }

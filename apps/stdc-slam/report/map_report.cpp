@@ -54,6 +54,10 @@ std::string coefficients(const Camera& c) {
 
 MapReport describe_map(const std::string& file, std::uintmax_t bytes, const StoredMap& stored) {
   MapReport report{file, bytes, stored.version, stored.camera, {}};
+  report.dense_views = static_cast<int>(stored.views.size());
+  for (const auto& view : stored.views) {
+    report.dense_bytes += view->depth.size() + view->support.size() + view->colour.size();
+  }
   const Atlas& atlas = stored.atlas;
   report.maps.resize(atlas.map_count());
   for (const KeyframeId id : atlas.keyframe_ids()) {
@@ -99,6 +103,10 @@ std::string map_report_text(const MapReport& report) {
     text += fmt::format("{}keyframes over {:.1f} s, {:.6f} to {:.6f}\n", indent,
                         map.last_timestamp - map.first_timestamp, map.first_timestamp, map.last_timestamp);
   }
+  if (report.dense_views > 0) {
+    text += fmt::format("dense part: {} views, {:.1f} MB\n", report.dense_views,
+                        1e-6 * static_cast<double>(report.dense_bytes));
+  }
   return text;
 }
 
@@ -113,6 +121,8 @@ std::string map_report_json(const MapReport& report) {
   json["observations"] = all.observations;
   json["maps"] = nlohmann::ordered_json::array();
   for (const MapContent& map : report.maps) json["maps"].push_back(content_to_json(map));
+  json["dense_views"] = report.dense_views;
+  json["dense_bytes"] = report.dense_bytes;
   return json.dump(2) + "\n";
 }
 

@@ -24,6 +24,8 @@ struct MapReport {
   std::uint32_t version = kMapFileVersion;
   Camera camera;
   std::vector<MapContent> maps;
+  int dense_views = 0;             ///< what a dense map can be made of
+  std::uintmax_t dense_bytes = 0;  ///< of the file, for those
 };
 
 MapReport describe_map(const std::string& file, std::uintmax_t bytes, const StoredMap& stored);

@@ -16,6 +16,7 @@
 #include "run/interrupt_watch.hpp"
 #include "run/mask_check.hpp"
 #include "run/output_folder.hpp"
+#include "run/run_dense.hpp"
 #include "run/run_score.hpp"
 #include "run/run_trajectories.hpp"
 #include "run/sequence_input.hpp"
@@ -150,6 +151,8 @@ bool run_sequence(const RunOptions& options) {
       settings.system.report_masks || options.save_masks || options.true_masks || options.inpaint;
   settings.system.localisation_only = settings.system.localisation_only || options.localisation_only;
   check_map_options(options, settings);
+  choose_dense(options.dense, options.settings, options.save_map.has_value(), settings);
+  settings.validate();
   check_inpainting(options, settings);
   const SequenceInput input(options.input);
   auto segmenter =
@@ -163,6 +166,7 @@ bool run_sequence(const RunOptions& options) {
   }
   OutputFolder output(options.output);
   check_place_for_map(options);
+  std::optional<DenseOutput> dense = dense_output(options.dense);
   std::optional<DebugImages> pictures;
   if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
   std::optional<SavedMasks> masks;
@@ -177,7 +181,9 @@ bool run_sequence(const RunOptions& options) {
   MaskRecord mask_record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
-  track_frames(input, {colour_mode(settings), options.realtime, options.quiet}, interrupts, slam, record,
+  track_frames(input,
+               {dense ? ColourMode::as_stored : colour_mode(settings), options.realtime, options.quiet},
+               interrupts, slam, record,
                {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr,
                 mask_scoring ? &*mask_scoring : nullptr, inpainted ? &mask_record : nullptr});
   const std::vector<FramePose> poses =
@@ -190,6 +196,9 @@ bool run_sequence(const RunOptions& options) {
     inpainting = inpaint_sequence(input, settings.inpainting, {options.inpaint_all, options.quiet}, poses,
                                   mask_record, interrupts, *inpainted);
   }
+  const Slam::DenseUsage dense_usage = slam.dense_usage();
+  const std::optional<DenseReport> dense_report =
+      write_dense(slam, input, settings, trajectories.map, options.quiet, dense);
   RunSummary summary = summarise(input, record, slam, trajectories);
   if (mask_scoring) summary.masks = mask_scoring->score();
   if (pictures) {
@@ -207,11 +216,13 @@ bool run_sequence(const RunOptions& options) {
   const bool found = summary.poses > 0;
   const bool saves_map = options.save_map && slam.keyframes() > 0;
   if (saves_map) slam.save_map(*options.save_map);
+  if (dense) dense->commit();
   output.commit();
   if (!found) say_nothing_came_of_it(options, record.counts().total());
   if (options.quiet) return found;
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
   if (saves_map) fmt::print("map: {}\n", options.save_map->string());
+  if (dense) fmt::print("{}\n", describe(*dense_report, *dense, dense_usage));
   if (masks) fmt::print("masks: {}\n", options.save_masks->string());
   if (inpainted) fmt::print("{}\n", describe(inpainting, *options.inpaint));
   if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/segmentation_options.hpp"
 #include "commands/settings_options.hpp"
+#include "run/run_dense.hpp"
 #include "run/sequence_input.hpp"
 
 namespace stdc::app {
@@ -16,6 +18,7 @@ struct RunOptions {
   std::filesystem::path output;
   std::optional<std::filesystem::path> debug_images, save_masks, true_masks, inpaint;
   std::optional<std::filesystem::path> load_map, save_map;
+  DenseOptions dense;
   SettingsOptions settings;
   SegmentationOptions segmentation;
   int debug_every = 10;            ///< a picture of every n-th frame

@@ -1,11 +1,11 @@
-#include "dense/background_fill.hpp"
+#include "dense/inpainting/background_fill.hpp"
 
 #include <gtest/gtest.h>
 
 #include <deque>
 #include <opencv2/core.hpp>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

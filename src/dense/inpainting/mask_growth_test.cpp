@@ -1,10 +1,10 @@
-#include "dense/mask_growth.hpp"
+#include "dense/inpainting/mask_growth.hpp"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

@@ -1,11 +1,11 @@
-#include "dense/background_view.hpp"
+#include "dense/inpainting/background_view.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

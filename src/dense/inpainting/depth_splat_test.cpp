@@ -1,10 +1,10 @@
-#include "dense/depth_splat.hpp"
+#include "dense/inpainting/depth_splat.hpp"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {

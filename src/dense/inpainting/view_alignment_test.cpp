@@ -1,8 +1,8 @@
-#include "dense/view_alignment.hpp"
+#include "dense/inpainting/view_alignment.hpp"
 
 #include <gtest/gtest.h>
 
-#include "dense/test_plane.hpp"
+#include "dense/inpainting/test_plane.hpp"
 
 namespace stdc {
 namespace {
