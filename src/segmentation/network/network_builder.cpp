@@ -64,7 +64,8 @@ void NetworkBuilder::convolution_into(const ConvolutionWeights& layer, const Act
     return;
   }
   if (threads_ == 1 && options.relu && IntegerWinograd::suits(layer, source.view(), target.view())) {
-    const auto winograd = std::make_shared<IntegerWinograd>(layer, source.view(), target.view(), complete);
+    const auto winograd =
+        std::make_shared<IntegerWinograd>(layer, source.view(), target.view(), complete, scratch_);
     add(layer.name, "own integer Winograd", count, [winograd] { winograd->run(); });
     return;
   }

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
+#include "segmentation/network/kernels/integer_winograd.hpp"
 #include "segmentation/network/kernels/tensor.hpp"
 #include "segmentation/network/network_precision.hpp"
 #include "segmentation/network/network_step.hpp"
@@ -78,6 +79,7 @@ class NetworkBuilder {
   int block_, threads_;
   int levels_ = DnnlEngine::activation_levels();
   DnnlEngine engine_;
+  std::shared_ptr<IntegerWinograd::Scratch> scratch_ = std::make_shared<IntegerWinograd::Scratch>();
   TensorArena arena_;
   std::deque<std::vector<float>> vectors_;
   std::vector<PlannedStep> steps_;

@@ -31,10 +31,12 @@ std::array<std::int16_t, kIntegerWinogradPoints> transform_filter(const std::int
   return result;
 }
 
-/// Tiles that are worked on together: their transformed inputs of one point should stay in the first cache.
-int tiles_at_once(int inputs, int tiles) {
-  constexpr int kNumbers = 12288, kRows = 6, kFewest = 2 * kRows;
-  return std::min(tiles, std::max(kNumbers / inputs / kRows * kRows, kFewest));
+/// Tiles that are worked on together: their transformed inputs of one point should stay in the first cache,
+/// all their sums in the second.
+int tiles_at_once(int inputs, int outputs, int tiles) {
+  constexpr int kInputs = 12288, kOutputs = 16384, kRows = 6, kFewest = 2 * kRows;
+  const int fit = std::min(kInputs / inputs, kOutputs / outputs);
+  return std::min(tiles, std::max(fit / kRows * kRows, kFewest));
 }
 
 template <typename T>
@@ -49,7 +51,8 @@ T* take(std::byte*& from, std::size_t count) {
 struct IntegerWinograd::Implementation {
   IntegerWinogradJob job;
   int tiles = 0, at_once = 0;
-  std::shared_ptr<void> memory;
+  std::shared_ptr<void> memory;  ///< of the weights
+  std::shared_ptr<Scratch> scratch;
 
   void set_weights(const ConvolutionWeights& layer, const std::vector<std::int8_t>& levels,
                    std::int16_t* to) const {
@@ -85,24 +88,27 @@ bool IntegerWinograd::suits(const ConvolutionWeights& layer, const TensorView& s
 }
 
 IntegerWinograd::IntegerWinograd(const ConvolutionWeights& layer, const TensorView& source,
-                                 const TensorView& target, const ConvolutionOptions& options)
+                                 const TensorView& target, const ConvolutionOptions& options,
+                                 std::shared_ptr<Scratch> scratch)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& own = *implementation_;
   const auto inputs = static_cast<std::size_t>(layer.inputs),
              outputs = static_cast<std::size_t>(layer.outputs);
   const auto count = [](int size) { return (size + kIntegerWinogradTile - 1) / kIntegerWinogradTile; };
   own.tiles = count(target.shape.height) * count(target.shape.width);
-  own.at_once = tiles_at_once(layer.inputs, own.tiles);
+  own.at_once = tiles_at_once(layer.inputs, layer.outputs, own.tiles);
   constexpr std::size_t kApart = 32, kRoom = 8 * 64;  // not all points in the same lines of the cache
   own.job.input_stride = static_cast<std::size_t>(own.at_once) * inputs + kApart;
   own.job.output_stride = static_cast<std::size_t>(own.at_once) * outputs + kApart;
-  const std::size_t numbers = kIntegerWinogradPoints * (inputs * outputs + own.job.input_stride);
-  own.memory = aligned_memory(numbers * sizeof(std::int16_t) + inputs + kRoom +
-                              (kIntegerWinogradPoints * own.job.output_stride + 2 * outputs) * sizeof(float));
+  const std::size_t needed = kIntegerWinogradPoints * (own.job.input_stride * sizeof(std::int16_t) +
+                                                       own.job.output_stride * sizeof(std::int32_t)) +
+                             kRoom;
+  own.scratch = std::move(scratch);
+  if (needed > own.scratch->bytes) *own.scratch = {needed, aligned_memory(needed)};
+  own.memory = aligned_memory(kIntegerWinogradPoints * inputs * outputs * sizeof(std::int16_t) + inputs +
+                              kRoom + 2 * outputs * sizeof(float));
   std::byte* free = static_cast<std::byte*>(own.memory.get());
   auto* const weights = take<std::int16_t>(free, kIntegerWinogradPoints * inputs * outputs);
-  own.job.inputs = take<std::int16_t>(free, kIntegerWinogradPoints * own.job.input_stride);
-  own.job.outputs = take<std::int32_t>(free, kIntegerWinogradPoints * own.job.output_stride);
   auto* const zeros = take<std::uint8_t>(free, inputs);
   auto* const bias = take<float>(free, outputs);
   auto* const scale = take<float>(free, outputs);
@@ -122,6 +128,10 @@ IntegerWinograd::~IntegerWinograd() = default;
 
 void IntegerWinograd::run() {
   IntegerWinogradJob job = implementation_->job;
+  // Looked up now: a later layer may have needed more.
+  std::byte* free = static_cast<std::byte*>(implementation_->scratch->memory.get());
+  job.inputs = take<std::int16_t>(free, kIntegerWinogradPoints * job.input_stride);
+  job.outputs = take<std::int32_t>(free, kIntegerWinogradPoints * job.output_stride);
   for (int first = 0; first < implementation_->tiles; first += implementation_->at_once) {
     job.first_tile = first;
     job.tiles = std::min(implementation_->at_once, implementation_->tiles - first);

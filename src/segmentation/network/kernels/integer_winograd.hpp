@@ -21,10 +21,16 @@ class IntegerWinograd {
   /// True if it can do this layer in these layouts.
   static bool fits(const ConvolutionWeights& layer, const TensorView& source, const TensorView& target);
 
+  /// Memory of one run, which all layers of a network share: they run one after another.
+  struct Scratch {
+    std::size_t bytes = 0;
+    std::shared_ptr<void> memory;
+  };
+
   /// The target's numbers are those of DnnlConvolution; one padding of zeros and ReLU, whatever `options`
   /// say.
   IntegerWinograd(const ConvolutionWeights& layer, const TensorView& source, const TensorView& target,
-                  const ConvolutionOptions& options);
+                  const ConvolutionOptions& options, std::shared_ptr<Scratch> scratch);
   ~IntegerWinograd();
 
   /// Reads the source, writes the target. Allocates nothing.

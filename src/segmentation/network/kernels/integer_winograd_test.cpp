@@ -60,7 +60,8 @@ TEST(IntegerWinograd, SumsAreThoseOfTheDefinition) {
         std::fill_n(whole.view.floats(), whole.view.shape.elements(), -7.0F);
         const TensorView target = whole.view.slice(8, outputs);
         ASSERT_TRUE(IntegerWinograd::fits(layer, source.view, target));
-        IntegerWinograd convolution(layer, source.view, target, kOptions);
+        IntegerWinograd convolution(layer, source.view, target, kOptions,
+                                    std::make_shared<IntegerWinograd::Scratch>());
         convolution.run();
         convolution.run();
         int wrong = 0;
@@ -91,7 +92,8 @@ TEST(IntegerWinograd, LevelsAreThoseOfTheOtherKernels) {
   const Tensor expected = arena.make({32, 17, 22}, ElementType::u8, 32),
                found = arena.make({32, 17, 22}, ElementType::u8, 32);
   DnnlConvolution direct(engine, layer, source.view, expected.view, kOptions);
-  IntegerWinograd winograd(layer, source.view, found.view, kOptions);
+  IntegerWinograd winograd(layer, source.view, found.view, kOptions,
+                           std::make_shared<IntegerWinograd::Scratch>());
   direct.run();
   winograd.run();
   int differ = 0, zeros = 0;
