@@ -113,7 +113,10 @@ std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) const {
       // At the outline of a thing the cell beside it may be the one that is seen there.
       const float behind = there * frame.grid.far[static_cast<std::size_t>(cell)] / depth;
       if (behind < view.grid.near[i] - tolerated) {
-        finding.fresh += view.beside_hole[i] == 0 ? 1 : 0;
+        // Of what stands in a hole nobody knows the depth; but it is no other thing than what is around it.
+        constexpr float kFarBefore = 0.45F;
+        const bool tells = view.beside_hole[i] == 0 || behind < kFarBefore * view.grid.near[i];
+        finding.fresh += tells ? 1 : 0;
       } else if (there > view.grid.near[i] - tolerated && there < view.grid.far[i] + tolerated) {
         finding.seen = true;
         finding.known += view.doubtful[i] == 0 ? 1 : 0;
