@@ -17,7 +17,7 @@ struct DenseSettings {
   STDC_SETTING(double, window_translation, 0.08, "m", 0.001, 10,
                "A view ends when the camera has moved so far from where it began...");
   STDC_SETTING(double, window_rotation, 6, "deg", 0.1, 90, "...or has turned by so much");
-  STDC_SETTING(int, overlap, 8, "views", 1, 1000,
+  STDC_SETTING(int, overlap, 5, "views", 1, 1000,
                "A view goes, the oldest first, when more than so many show all that it shows from as near");
   STDC_SETTING(int, min_frames, 3, "frames", 1, 127, "Frames of a view that must agree on a depth");
   STDC_SETTING(int, min_weight, 3, "count", 1, 60000,

@@ -1,5 +1,7 @@
 #include "slam/dense_thread.hpp"
 
+#include <sys/resource.h>
+
 #include <utility>
 
 #include "core/stopwatch.hpp"
@@ -48,6 +50,9 @@ DenseThread::Usage DenseThread::usage() {
 }
 
 void DenseThread::run() {
+  // Gives way to the tracker: of this thread alone, as Linux has it. If it fails, it does not.
+  constexpr int kGiveWay = 10;
+  setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kGiveWay);
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stop_ || !queue_.empty(); });
