@@ -1,5 +1,5 @@
 // .sens files of ScanNet.
-#include "input/layouts/sens_file.hpp"
+#include "input/layouts/sens_index.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -17,7 +17,7 @@ std::vector<LandmarkId> landmarks_of(const Atlas& atlas, const std::vector<Keyfr
 }
 
 std::vector<KeyframeId> other_observers(const Atlas& atlas, const std::vector<KeyframeId>& keyframes,
-                                        int most) {
+                                        int max_count) {
   std::vector<int> seen(atlas.keyframe_id_limit(), 0);
   for (const LandmarkId landmark : landmarks_of(atlas, keyframes)) {
     for (const Observation& o : atlas.landmark(landmark).observations) ++seen[o.keyframe.value];
@@ -29,7 +29,7 @@ std::vector<KeyframeId> other_observers(const Atlas& atlas, const std::vector<Ke
   }
   std::stable_sort(others.begin(), others.end(),
                    [&](KeyframeId a, KeyframeId b) { return seen[a.value] > seen[b.value]; });
-  if (static_cast<int>(others.size()) > most) others.resize(most);
+  if (static_cast<int>(others.size()) > max_count) others.resize(max_count);
   return others;
 }
 

@@ -26,7 +26,7 @@ std::vector<LandmarkId> landmarks_of(const Atlas& atlas, const std::vector<Keyfr
 
 /// Other keyframes that see the landmarks, those that see most of them first.
 std::vector<KeyframeId> other_observers(const Atlas& atlas, const std::vector<KeyframeId>& keyframes,
-                                        int most);
+                                        int max_count);
 
 /// Takes the solution into the unchanged map: poses, positions; observations that turned out to be outliers
 /// are forgotten. Returns how many. Nothing is changed if the result is not usable.

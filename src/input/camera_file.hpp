@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/camera.hpp"
 #include "input/rgbd_cameras.hpp"
@@ -22,14 +21,11 @@ Camera read_camera(const std::filesystem::path& path);
 Camera parse_camera(const std::string& yaml, const std::string& name);
 /// The same with the section `depth_camera`, of depth images that are not registered to the colour images:
 /// its own width, height, fx, fy, cx, cy, lens and coefficients, and where it is by `translation` ([x, y, z],
-/// metres) and `rotation_quaternion` ([qx, qy, qz, qw]; none if not given): colour from depth camera.
+/// metres) and `quaternion` ([qx, qy, qz, qw]; none if not given): colour from depth camera.
 RgbdCameras read_cameras(const std::filesystem::path& path);
 RgbdCameras parse_cameras(const std::string& yaml, const std::string& name);
 std::string format_cameras(const RgbdCameras& cameras);
 /// The text that parse_camera reads back to the same camera.
 std::string format_camera(const Camera& camera);
-/// The calibration (lens and rolling shutter) that ships for a folder name with "freiburg1", "freiburg2",
-/// "freiburg3" or "rgbd_bonn" in it.
-std::optional<Camera> tum_calibration(std::string_view folder_name);
 
 }  // namespace stdc

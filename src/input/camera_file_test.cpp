@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/test_folder.hpp"
+#include "input/tum_calibration.hpp"
 
 namespace stdc {
 namespace {

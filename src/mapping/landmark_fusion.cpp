@@ -14,8 +14,8 @@ std::vector<KeyframeId> fusion_targets(const Atlas& atlas, KeyframeId keyframe, 
   std::vector<std::uint8_t> chosen(atlas.keyframe_id_limit(), 0);
   chosen[keyframe.value] = 1;
   std::vector<KeyframeId> targets;
-  const auto add = [&](const std::vector<Covisible>& covisible, std::size_t most) {
-    for (std::size_t n = 0; n < std::min(most, covisible.size()); ++n) {
+  const auto add = [&](const std::vector<Covisible>& covisible, std::size_t max_count) {
+    for (std::size_t n = 0; n < std::min(max_count, covisible.size()); ++n) {
       const KeyframeId id = covisible[n].keyframe;
       if (chosen[id.value] != 0) continue;
       chosen[id.value] = 1;

@@ -17,13 +17,13 @@ constexpr int kBin = 4;  // side of a square that gives one corner [cells]
 void set_depth(const SmallFrame& frame, cv::Point at, FlowPoint& point) {
   const float depth = frame.depth_at(at.x, at.y);
   if (!(depth > 0)) return;
-  point.inverse_depth = point.least = point.most = 1.0 / depth;
+  point.inverse_depth = point.min_inverse_depth = point.max_inverse_depth = 1.0 / depth;
   for (int y = at.y - 2; y <= at.y + 2; ++y) {
     for (int x = at.x - 2; x <= at.x + 2; ++x) {
       const float there = frame.contains(x, y) ? frame.depth_at(x, y) : 0;
       if (!(there > 0)) continue;
-      point.least = std::min(point.least, 1.0 / there);
-      point.most = std::max(point.most, 1.0 / there);
+      point.min_inverse_depth = std::min(point.min_inverse_depth, 1.0 / there);
+      point.max_inverse_depth = std::max(point.max_inverse_depth, 1.0 / there);
     }
   }
 }

@@ -50,15 +50,15 @@ double cost_of(const StaticFlow& flow, const std::vector<const FlowPoint*>& poin
 StaticFlow best_homography(const std::vector<const FlowPoint*>& points, double threshold, Random& random) {
   constexpr int kTrials = 120;
   StaticFlow best;
-  double least = cost_of(best, points, threshold);
+  double best_cost = cost_of(best, points, threshold);
   for (int trial = 0; trial < kTrials; ++trial) {
     std::array<const FlowPoint*, 4> sample;
     for (auto& point : sample) point = points[random.below(static_cast<std::uint32_t>(points.size()))];
     StaticFlow flow;
     if (!solve_homography(sample, flow.homography)) continue;
     const double cost = cost_of(flow, points, threshold);
-    if (cost >= least) continue;
-    least = cost;
+    if (cost >= best_cost) continue;
+    best_cost = cost;
     best = flow;
   }
   return best;
@@ -124,7 +124,8 @@ bool StaticFlow::predict(const Vector2d& here, double inverse_depth, Vector2d& t
 double StaticFlow::residual(const FlowPoint& point) const {
   constexpr double kBehind = 1e3;
   Vector2d farthest, nearest;
-  if (!predict(point.here, point.least, farthest) || !predict(point.here, point.most, nearest))
+  if (!predict(point.here, point.min_inverse_depth, farthest) ||
+      !predict(point.here, point.max_inverse_depth, nearest))
     return kBehind;
   const Vector2d line = nearest - farthest, error = point.there - farthest;
   const double length = line.squaredNorm();

@@ -11,8 +11,8 @@ namespace stdc {
 struct FlowPoint {
   /// In the two frames: ideal, x / z and y / z.
   Eigen::Vector2d here = Eigen::Vector2d::Zero(), there = Eigen::Vector2d::Zero();
-  double inverse_depth = 0;    ///< in the first [1/m]; 0: not known
-  double least = 0, most = 2;  ///< what the inverse depth may be [1/m]: its epipolar line is that long
+  double inverse_depth = 0;                             ///< in the first [1/m]; 0: not known
+  double min_inverse_depth = 0, max_inverse_depth = 2;  ///< [1/m]; its epipolar line is that long
   /// How much of an error in each direction can be seen; see FlowCorner.
   Eigen::Matrix2d certainty = Eigen::Matrix2d::Identity();
   bool usable = true;  ///< for the motion of the static part: nothing speaks against it

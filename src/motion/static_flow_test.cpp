@@ -18,7 +18,7 @@ std::vector<FlowPoint> make_points(const Pose& there_from_here, int count, int m
     FlowPoint point;
     point.here = {random.uniform(-0.6, 0.6), random.uniform(-0.45, 0.45)};
     const double depth = random.uniform(0.8, 5);
-    point.inverse_depth = point.least = point.most = 1 / depth;
+    point.inverse_depth = point.min_inverse_depth = point.max_inverse_depth = 1 / depth;
     Eigen::Vector3d at = depth * point.here.homogeneous();
     if (i >= count - moving) at.x() += 0.08;
     point.there = (there_from_here * at).hnormalized();
@@ -53,7 +53,7 @@ TEST(StaticFlow, APointWithoutDepthIsHeldAgainstItsEpipolarLine) {
 TEST(StaticFlow, AlongAnEdgeNothingIsSeen) {
   StaticFlow flow;
   FlowPoint point;
-  point.inverse_depth = point.least = point.most = 1;
+  point.inverse_depth = point.min_inverse_depth = point.max_inverse_depth = 1;
   point.there = {0.01, 0};
   point.certainty = Eigen::Vector2d(0, 1).asDiagonal();
   EXPECT_EQ(flow.residual(point), 0);

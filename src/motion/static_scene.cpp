@@ -217,7 +217,7 @@ void StaticScene::add(const SceneFrame& frame, std::vector<float> rest, std::vec
   if (views_.size() <= static_cast<std::size_t>(settings_.max_views)) return;
   // The one that knows least goes, of equals the oldest; not one of the last few, which nothing has checked.
   const std::size_t candidates = views_.size() - views_.size() / 8 - 1;
-  std::size_t least = 0;
+  std::size_t dropped = 0;
   std::ptrdiff_t fewest = -1;
   for (std::size_t i = 0; i < candidates; ++i) {
     const auto known = std::count_if(views_[i].rest.begin(), views_[i].rest.end(), [&](float time) {
@@ -225,11 +225,11 @@ void StaticScene::add(const SceneFrame& frame, std::vector<float> rest, std::vec
     });
     if (fewest >= 0 && known >= fewest) continue;
     fewest = known;
-    least = i;
+    dropped = i;
   }
-  views_.erase(views_.begin() + static_cast<std::ptrdiff_t>(least));
-  std::erase(chosen_, least);
-  for (std::size_t& index : chosen_) index -= index > least ? 1 : 0;
+  views_.erase(views_.begin() + static_cast<std::ptrdiff_t>(dropped));
+  std::erase(chosen_, dropped);
+  for (std::size_t& index : chosen_) index -= index > dropped ? 1 : 0;
 }
 
 }  // namespace stdc

@@ -134,11 +134,15 @@ cv::Mat draw_cells(const cv::Mat& colour, const cv::Mat& dynamic_mask, int frame
 DebugImages::DebugImages(const std::filesystem::path& folder, int every, const FeatureSettings& settings)
     : folder_(folder), every_(every), settings_(settings) {}
 
-void DebugImages::add_frame(const cv::Mat& colour, int frame, const TrackingResult& result) {
+void DebugImages::on_frame(const ObservedFrame& frame) {
+  const TrackingResult& result = frame.result;
+  if (frame.image == nullptr) return;
+  const cv::Mat& colour = frame.image->colour;
   if (result.frame % every_ != 0 && result.status != TrackingStatus::lost) return;
-  folder_.write(fmt::format("keypoints_{:06}.png", frame), encode_png(draw_keypoints(colour, frame, result)));
-  folder_.write(fmt::format("cells_{:06}.png", frame),
-                encode_png(draw_cells(colour, result.dynamic_mask, frame, settings_)));
+  folder_.write(fmt::format("keypoints_{:06}.png", frame.number),
+                encode_png(draw_keypoints(colour, frame.number, result)));
+  folder_.write(fmt::format("cells_{:06}.png", frame.number),
+                encode_png(draw_cells(colour, result.dynamic_mask, frame.number, settings_)));
 }
 
 void DebugImages::add_top_view(const TopView& view) {

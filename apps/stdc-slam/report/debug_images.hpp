@@ -5,6 +5,7 @@
 
 #include "features/extractor.hpp"
 #include "input/trajectory.hpp"
+#include "run/frame_observer.hpp"
 #include "run/output_folder.hpp"
 #include "slam/slam.hpp"
 
@@ -31,12 +32,12 @@ cv::Mat draw_cells(const cv::Mat& colour, const cv::Mat& dynamic_mask, int frame
                    const FeatureSettings& settings);
 
 /// The pictures of --debug-images, all written at the end like other results.
-class DebugImages {
+class DebugImages : public FrameObserver {
  public:
   /// @param every  draws every n-th frame, and the lost ones
   DebugImages(const std::filesystem::path& folder, int every, const FeatureSettings& settings);
-  /// `colour`: CV_8UC1 or CV_8UC3. `result` must have its keypoints.
-  void add_frame(const cv::Mat& colour, int frame, const TrackingResult& result);
+  /// The result must have its keypoints; a frame without an image is passed over.
+  void on_frame(const ObservedFrame& frame) override;
   void add_top_view(const TopView& view);
   void commit();
 

@@ -71,13 +71,14 @@ TEST(DrawKeypoints, MarksEveryKeypoint) {
 
 TEST(DebugImages, WritesEveryNthAndTheLost) {
   const TestFolder folder;
-  const cv::Mat grey = stdc::test::test_texture(240);
+  RgbdImage image;
+  image.colour = stdc::test::test_texture(240);
   DebugImages images(folder / "p", 4, FeatureSettings());
   for (int i = 0; i < 8; ++i) {
     TrackingResult result;
     result.frame = i;
     result.status = i == 6 ? TrackingStatus::lost : TrackingStatus::ok;
-    images.add_frame(grey, 100 + i, result);
+    images.on_frame({100 + i, &image, result});
   }
   images.add_top_view({});
   images.commit();

@@ -4,10 +4,10 @@
 
 namespace stdc::app {
 
-void MaskRecord::add_frame(const TrackingResult& result) {
+void MaskRecord::on_frame(const ObservedFrame& frame) {
+  const cv::Mat& mask = frame.result.dynamic_mask;
   masks_.emplace_back();
-  if (result.dynamic_mask.empty()) return;
-  masks_.back() = {result.dynamic_mask.size(), encode_png(result.dynamic_mask, PngEffort::fast)};
+  if (!mask.empty()) masks_.back() = {mask.size(), encode_png(mask, PngEffort::fast)};
 }
 
 cv::Mat MaskRecord::mask(int frame) const {

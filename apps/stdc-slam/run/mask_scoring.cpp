@@ -4,7 +4,8 @@
 
 namespace stdc::app {
 
-void MaskScoring::add_frame(const TrackingResult& result) {
+void MaskScoring::on_frame(const ObservedFrame& frame) {
+  const TrackingResult& result = frame.result;
   const MaskFile* file = find_mask(truth_, result.timestamp, MaskFileSegmenter::kTolerance);
   if (file == nullptr || result.dynamic_mask.empty()) return;
   score_.counts += count_mask(result.dynamic_mask, load_mask(*file, result.dynamic_mask.size()));

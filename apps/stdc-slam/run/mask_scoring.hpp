@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "evaluation/mask_score.hpp"
+#include "run/frame_observer.hpp"
 #include "segmentation/mask_list.hpp"
-#include "slam/tracking_result.hpp"
 
 namespace stdc::app {
 
@@ -17,13 +17,13 @@ struct MaskRunScore {
 };
 
 /// The masks of --true-masks: compares the mask of what moves of each frame with the true one of its time.
-class MaskScoring {
+class MaskScoring : public FrameObserver {
  public:
   /// Throws Error if the folder holds no masks.
   explicit MaskScoring(const std::filesystem::path& folder) : truth_(list_masks(folder)) {}
 
-  /// `result` must have its mask. Throws Error for a true mask that cannot be read or has another size.
-  void add_frame(const TrackingResult& result);
+  /// The result must have its mask. Throws Error for a true mask that cannot be read or has another size.
+  void on_frame(const ObservedFrame& frame) override;
   const MaskRunScore& score() const { return score_; }
 
  private:

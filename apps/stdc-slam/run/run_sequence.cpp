@@ -1,22 +1,20 @@
 #include "run/run_sequence.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <memory>
 #include <opencv2/core/utility.hpp>
-#include <system_error>
 
 #include "core/error.hpp"
-#include "report/debug_images.hpp"
 #include "report/run_record.hpp"
 #include "report/run_summary.hpp"
 #include "run/inpaint_sequence.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/mask_check.hpp"
-#include "run/output_folder.hpp"
+#include "run/run_checks.hpp"
 #include "run/run_dense.hpp"
+#include "run/run_outputs.hpp"
 #include "run/run_score.hpp"
 #include "run/run_trajectories.hpp"
 #include "run/sequence_input.hpp"
@@ -51,31 +49,6 @@ RunSummary summarise(const SequenceInput& input, const RunRecord& record, const 
   return summary;
 }
 
-void check_map_options(const RunOptions& options, const Settings& settings) {
-  if (settings.system.localisation_only && !options.load_map) {
-    throw Error("--localisation-only", "there is no map to find the camera in",
-                "give one by --load-map FILE");
-  }
-  if (settings.system.localisation_only && options.save_map) {
-    throw Error("--save-map", "with --localisation-only the map stays as it is", "leave out one of the two");
-  }
-}
-
-/// What would otherwise come to light at the end. The output folder, which may be the place, must be there.
-void check_place_for_map(const RunOptions& options) {
-  if (!options.save_map) return;
-  std::error_code failed;
-  if (std::filesystem::is_directory(*options.save_map, failed)) {
-    throw Error(options.save_map->string(), "is a folder", "give a file to --save-map");
-  }
-  const std::filesystem::path folder = std::filesystem::absolute(*options.save_map, failed).parent_path();
-  if (access(folder.c_str(), W_OK) != 0) {
-    throw Error(options.save_map->string(),
-                fmt::format("cannot be written ({})", std::generic_category().message(errno)),
-                "check that its folder exists and may be written to");
-  }
-}
-
 void say_nothing_came_of_it(const RunOptions& options, int frames) {
   fmt::print(stderr, "stdc-slam: {}: not one of {} frames {}; {}{}\n", options.input.path.string(), frames,
              options.localisation_only ? "was located in the map" : "got a pose",
@@ -105,29 +78,6 @@ void write_trajectories(const RunTrajectories& trajectories, OutputFolder& outpu
   output.drop_older("trajectory-map-");
 }
 
-/// Whether there will be masks to inpaint by; throws Error if not.
-void check_inpainting(const RunOptions& options, const Settings& settings) {
-  if (!options.inpaint) return;
-  if (settings.segmentation.source == SegmentationSource::off &&
-      settings.motion.method == MotionMethod::off) {
-    throw Error("--inpaint", "there is nothing to inpaint: nobody looks for what moves",
-                "choose --motion or --segmentation, or leave out --inpaint");
-  }
-}
-
-/// The folder that appears at the end must not hold other results.
-void check_apart(const RunOptions& options, const InpaintedFolder& inpainted) {
-  for (const std::optional<std::filesystem::path>& other :
-       {std::optional(options.output), options.save_masks, options.debug_images}) {
-    if (!other) continue;
-    const std::filesystem::path inside =
-        std::filesystem::absolute(*other).lexically_normal().lexically_relative(inpainted.path());
-    if (inside.empty() || *inside.begin() == "..") continue;
-    throw Error(other->string(), "other results cannot be put into the folder of --inpaint",
-                "give folders beside each other");
-  }
-}
-
 std::string describe(const InpaintReport& report, const std::filesystem::path& folder) {
   const double unknown =
       report.replaced > 0 ? static_cast<double>(report.unknown) / static_cast<double>(report.replaced) : 0;
@@ -138,11 +88,7 @@ std::string describe(const InpaintReport& report, const std::filesystem::path& f
       100 * (1 - unknown), report.frames / std::max(1e-3, report.seconds));
 }
 
-}  // namespace
-
-bool run_sequence(const RunOptions& options) {
-  const InterruptWatch interrupts;
-  cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
+Settings run_settings(const RunOptions& options) {
   Settings settings = chosen_settings(options.settings, options.segmentation);
   check_not_assigned(options.localisation_only, "--localisation-only", options.settings,
                      "system.localisation_only");
@@ -154,78 +100,74 @@ bool run_sequence(const RunOptions& options) {
   choose_dense(options.dense, options.settings, options.save_map.has_value(), settings);
   settings.validate();
   check_inpainting(options, settings);
-  const SequenceInput input(options.input);
+  return settings;
+}
+
+std::unique_ptr<Segmenter> run_segmenter(const RunOptions& options, const Settings& settings,
+                                         const SequenceInput& input) {
   auto segmenter =
       chosen_segmenter(options.segmentation, settings, options.input.path, input.camera.rotation);
   if (settings.segmentation.source == SegmentationSource::masks)
     check_masks(mask_folder(options.segmentation, options.input.path), input);
-  std::optional<InpaintedFolder> inpainted;
-  if (options.inpaint) {
-    inpainted.emplace(*options.inpaint, input);
-    check_apart(options, *inpainted);
-  }
-  OutputFolder output(options.output);
-  check_place_for_map(options);
-  std::optional<DenseOutput> dense = dense_output(options.dense);
-  std::optional<DebugImages> pictures;
-  if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
-  std::optional<SavedMasks> masks;
-  if (options.save_masks) masks.emplace(*options.save_masks);
-  std::optional<MaskScoring> mask_scoring;
-  if (options.true_masks) {
-    check_masks(*options.true_masks, input);
-    mask_scoring.emplace(*options.true_masks);
-  }
+  return segmenter;
+}
 
+void add_top_view(const RunTrajectories& trajectories, const SequenceInput& input, const RunSummary& summary,
+                  const Slam& slam, RunOutputs& outputs) {
+  if (!outputs.pictures) return;
+  outputs.pictures->add_top_view(
+      {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
+       apply_convention(input.truth().value_or(Trajectory()), summary.score.convention),
+       summary.score.scores ? std::optional(summary.score.scores->truth_from_estimate) : std::nullopt});
+}
+
+}  // namespace
+
+bool run_sequence(const RunOptions& options) {
+  const InterruptWatch interrupts;
+  cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
+  const Settings settings = run_settings(options);
+  const SequenceInput input(options.input);
+  auto segmenter = run_segmenter(options, settings, input);
+  RunOutputs outputs(options, settings, input);
   RunRecord record;
-  MaskRecord mask_record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
-  track_frames(input,
-               {dense ? ColourMode::as_stored : colour_mode(settings), options.realtime, options.quiet},
-               interrupts, slam, record,
-               {pictures ? &*pictures : nullptr, masks ? &*masks : nullptr,
-                mask_scoring ? &*mask_scoring : nullptr, inpainted ? &mask_record : nullptr});
+  track_frames(
+      input, {outputs.dense ? ColourMode::as_stored : colour_mode(settings), options.realtime, options.quiet},
+      interrupts, slam, record, outputs.observers());
+
   const std::vector<FramePose> poses =
       settings.system.localisation_only ? record.tracked_poses() : slam.trajectory();
   if (settings.segmentation.source == SegmentationSource::masks)
     warn_of_useless_masks(mask_folder(options.segmentation, options.input.path), input, poses);
   const RunTrajectories trajectories = by_map(poses, slam.keyframe_trajectory());
   InpaintReport inpainting;
-  if (inpainted) {
+  if (outputs.inpainted) {
     inpainting = inpaint_sequence(input, settings.inpainting, {options.inpaint_all, options.quiet}, poses,
-                                  mask_record, interrupts, *inpainted);
+                                  outputs.mask_record, interrupts, *outputs.inpainted);
   }
   const Slam::DenseUsage dense_usage = slam.dense_usage();
-  const std::optional<DenseReport> dense_report =
-      write_dense(slam, input, settings, trajectories.map, options.quiet, dense);
+  const std::optional<DenseReport> dense =
+      write_dense(slam, input, settings, trajectories.map, options.quiet, outputs.dense);
   RunSummary summary = summarise(input, record, slam, trajectories);
-  if (mask_scoring) summary.masks = mask_scoring->score();
-  if (pictures) {
-    pictures->add_top_view(
-        {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
-         apply_convention(input.truth().value_or(Trajectory()), summary.score.convention),
-         summary.score.scores ? std::optional(summary.score.scores->truth_from_estimate) : std::nullopt});
-    pictures->commit();
-  }
-  if (masks) masks->commit();
-  if (inpainted) inpainted->commit();
-  write_trajectories(trajectories, output);
-  output.write("frames.csv", record.frames_csv());
-  output.write("summary.json", summary_json(summary, record, settings));
+  if (outputs.mask_scoring) summary.masks = outputs.mask_scoring->score();
+  add_top_view(trajectories, input, summary, slam, outputs);
+  write_trajectories(trajectories, outputs.folder);
+  outputs.folder.write("frames.csv", record.frames_csv());
+  outputs.folder.write("summary.json", summary_json(summary, record, settings));
   const bool found = summary.poses > 0;
   const bool saves_map = options.save_map && slam.keyframes() > 0;
   if (saves_map) slam.save_map(*options.save_map);
-  if (dense) dense->commit();
-  output.commit();
+  outputs.commit();
   if (!found) say_nothing_came_of_it(options, record.counts().total());
   if (options.quiet) return found;
   fmt::print("{}\nresults: {}\n", summary_text(summary, record), options.output.string());
   if (saves_map) fmt::print("map: {}\n", options.save_map->string());
-  if (dense) fmt::print("{}\n", describe(*dense_report, *dense, dense_usage));
-  if (masks) fmt::print("masks: {}\n", options.save_masks->string());
-  if (inpainted) fmt::print("{}\n", describe(inpainting, *options.inpaint));
-  if (pictures) fmt::print("pictures: {}\n", options.debug_images->string());
+  if (dense) fmt::print("{}\n", describe(*dense, *outputs.dense, dense_usage));
+  if (outputs.masks) fmt::print("masks: {}\n", options.save_masks->string());
+  if (outputs.inpainted) fmt::print("{}\n", describe(inpainting, *options.inpaint));
+  if (outputs.pictures) fmt::print("pictures: {}\n", options.debug_images->string());
   return found;
 }
 

@@ -1,32 +1,8 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "commands/segmentation_options.hpp"
-#include "commands/settings_options.hpp"
-#include "run/run_dense.hpp"
-#include "run/sequence_input.hpp"
+#include "run/run_options.hpp"
 
 namespace stdc::app {
-
-/// What `stdc-slam run` was asked to do.
-struct RunOptions {
-  InputOptions input;
-  std::filesystem::path output;
-  std::optional<std::filesystem::path> debug_images, save_masks, true_masks, inpaint;
-  std::optional<std::filesystem::path> load_map, save_map;
-  DenseOptions dense;
-  SettingsOptions settings;
-  SegmentationOptions segmentation;
-  int debug_every = 10;            ///< a picture of every n-th frame
-  bool localisation_only = false;  ///< leave the loaded map as it is
-  bool realtime = false;           ///< frames come at the pace of their timestamps
-  bool inpaint_all = false;        ///< fill the background from later frames too
-  bool quiet = false;
-};
 
 /// Runs on a sequence and writes the results. Throws Error for bad input; then nothing is written.
 /// @return whether any frame got a pose; if none did, that is said on stderr and no map is saved

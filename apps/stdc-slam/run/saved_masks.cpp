@@ -6,7 +6,8 @@
 
 namespace stdc::app {
 
-void SavedMasks::add_frame(const TrackingResult& result) {
+void SavedMasks::on_frame(const ObservedFrame& frame) {
+  const TrackingResult& result = frame.result;
   if (result.dynamic_mask.empty()) return;
   folder_.write(fmt::format("{:.6f}.png", result.timestamp), encode_png(result.dynamic_mask));
 }

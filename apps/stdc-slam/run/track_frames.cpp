@@ -79,7 +79,7 @@ void check_end(const SequenceInput& input, int frames, Progress& progress) {
 }  // namespace
 
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
-                  Slam& slam, RunRecord& record, const FrameOutputs& outputs) {
+                  Slam& slam, RunRecord& record, std::span<FrameObserver* const> observers) {
   FrameLoader loader(input, options.colour);
   Progress progress(options.label, "frames", input.expected_frame_count(), options.quiet);
   FaultReport faults(progress);
@@ -97,12 +97,9 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
       faults.add(number, result.segmentation->problem, "has no mask of its own");
     }
     if (frame->index == 0) record.set_start_up_seconds(process_usage().wall_seconds);
-    if (outputs.pictures != nullptr && frame->image) {
-      outputs.pictures->add_frame(frame->image->colour, number, result);
+    for (FrameObserver* observer : observers) {
+      observer->on_frame({number, frame->image ? &*frame->image : nullptr, result});
     }
-    if (outputs.masks != nullptr) outputs.masks->add_frame(result);
-    if (outputs.mask_scoring != nullptr) outputs.mask_scoring->add_frame(result);
-    if (outputs.mask_record != nullptr) outputs.mask_record->add_frame(result);
     if (interrupts.interrupted()) {
       // Said here, because the signal ends the program as soon as the watch is gone.
       const auto count = input.frame_count();

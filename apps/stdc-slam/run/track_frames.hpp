@@ -1,14 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "core/image_codec.hpp"
-#include "report/debug_images.hpp"
 #include "report/run_record.hpp"
+#include "run/frame_observer.hpp"
 #include "run/interrupt_watch.hpp"
-#include "run/mask_record.hpp"
-#include "run/mask_scoring.hpp"
-#include "run/saved_masks.hpp"
 #include "run/sequence_input.hpp"
 #include "slam/slam.hpp"
 
@@ -21,17 +19,11 @@ struct TrackOptions {
   std::string label = "tracking";  ///< of the progress line
 };
 
-/// What is kept of each frame beside the record; null: not.
-struct FrameOutputs {
-  DebugImages* pictures = nullptr;
-  SavedMasks* masks = nullptr;
-  MaskScoring* mask_scoring = nullptr;
-  MaskRecord* mask_record = nullptr;
-};
-
 /// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and
-/// survived. Throws Error if there is none or the first one cannot be read, or if the program is interrupted.
+/// survived.
+/// @param observers  see each frame after the record, in this order
+/// Throws Error if there is none or the first one cannot be read, or if the program is interrupted.
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
-                  Slam& slam, RunRecord& record, const FrameOutputs& outputs = {});
+                  Slam& slam, RunRecord& record, std::span<FrameObserver* const> observers = {});
 
 }  // namespace stdc::app

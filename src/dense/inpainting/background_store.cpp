@@ -88,15 +88,15 @@ void BackgroundStore::add(std::shared_ptr<const BackgroundView> view) {
 
 void BackgroundStore::drop_one() {
   std::size_t worst = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double min_worth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < kept_.size(); ++i) {  // never the newest
     double worth = 0;
     for (const Cell& cell : kept_[i].cells) {
       const double count = counts_[cell];
       worth += 1 / (count * count);
     }
-    if (worth >= least) continue;
-    least = worth;
+    if (worth >= min_worth) continue;
+    min_worth = worth;
     worst = i;
   }
   for (const Cell& cell : kept_[worst].cells) {
@@ -124,13 +124,13 @@ BackgroundStore::Views BackgroundStore::choose(const ViewPose& at, const cv::Mat
   Views chosen;
   while (!candidates.empty() && chosen.size() < static_cast<std::size_t>(settings_.views)) {
     std::size_t best = 0;
-    double most = -1;
+    double max_worth = -1;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       double worth = 0;
       for (const int cell : candidates[i].cells) worth += need[static_cast<std::size_t>(cell)];
       worth *= candidates[i].nearness;
-      if (worth <= most) continue;
-      most = worth;
+      if (worth <= max_worth) continue;
+      max_worth = worth;
       best = i;
     }
     for (const int cell : candidates[best].cells) need[static_cast<std::size_t>(cell)] *= 0.4;

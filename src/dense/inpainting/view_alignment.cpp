@@ -46,14 +46,14 @@ AlignmentTarget::AlignmentTarget(const BackgroundView& frame, const RayTable& ra
     : frame_(frame), rays_(rays) {
   for (int top = kBorder; top + kCell + kBorder <= frame.grey.rows; top += kCell) {
     for (int left = kBorder; left + kCell + kBorder <= frame.grey.cols; left += kCell) {
-      int most = kMinGradient * kMinGradient;
+      int max_strength = kMinGradient * kMinGradient;
       cv::Point best(-1, -1);
       for (int y = top; y < top + kCell; ++y) {
         for (int x = left; x < left + kCell; ++x) {
           if (frame.seen_at(x, y) != Seen::surface) continue;
           const int strength = squared_gradient(frame.grey, x, y);
-          if (strength <= most) continue;
-          most = strength;
+          if (strength <= max_strength) continue;
+          max_strength = strength;
           best = {x, y};
         }
       }

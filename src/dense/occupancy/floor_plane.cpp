@@ -54,7 +54,7 @@ double settle(const std::vector<Facet>& facets, Eigen::Vector3d& up) {
 std::optional<Eigen::Vector3d> find_up(const std::vector<Facet>& facets,
                                        const std::vector<PlacedView>& views) {
   std::optional<Eigen::Vector3d> best;
-  double most = 0;
+  double max_area = 0;
   const std::array<Eigen::Vector3d, 4> upwards{-Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX(),
                                                Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitX()};
   for (std::size_t i = 0; i < upwards.size(); ++i) {
@@ -64,7 +64,7 @@ std::optional<Eigen::Vector3d> find_up(const std::vector<Facet>& facets,
     up.normalize();
     constexpr double kPreferUpright = 3;
     const double area = settle(facets, up) * (i == 0 ? kPreferUpright : 1);
-    if (area > most) most = area, best = up;
+    if (area > max_area) max_area = area, best = up;
   }
   return best;
 }
@@ -89,10 +89,10 @@ std::optional<double> find_height(const std::vector<Facet>& facets, const std::v
     for (int b = bin; b <= bin + 1; ++b) area += areas.contains(b) ? areas.at(b) : 0;
     return area;
   };
-  double most = 0;
-  for (const auto& [bin, area] : areas) most = std::max(most, area_at(bin));
+  double max_area = 0;
+  for (const auto& [bin, area] : areas) max_area = std::max(max_area, area_at(bin));
   for (const auto& [bin, area] : areas) {
-    if (area_at(bin) >= std::max(kMinArea, kMinShare * most)) return (bin + 1) * kBin;
+    if (area_at(bin) >= std::max(kMinArea, kMinShare * max_area)) return (bin + 1) * kBin;
   }
   return std::nullopt;
 }

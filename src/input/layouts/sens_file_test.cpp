@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "input/frame_decoder.hpp"
+#include "input/layouts/sens_index.hpp"
 #include "input/layouts/test_sens.hpp"
 #include "input/open_source.hpp"
 

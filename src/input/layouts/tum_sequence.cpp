@@ -13,6 +13,7 @@
 #include "input/camera_file.hpp"
 #include "input/layouts/image_folder.hpp"
 #include "input/layouts/number_file.hpp"
+#include "input/tum_calibration.hpp"
 
 namespace stdc {
 namespace {

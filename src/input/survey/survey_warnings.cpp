@@ -97,9 +97,9 @@ void warn_of_depth(const InputSurvey& survey, Lines& lines) {
 /// "11 pixels right of", "4 pixels above"
 std::string direction(const EdgeShift& shift) {
   const bool across = std::abs(shift.x) >= std::abs(shift.y);
-  const double most = across ? shift.x : shift.y;
-  const char* const words = across ? (most > 0 ? "right of" : "left of") : (most > 0 ? "below" : "above");
-  return fmt::format("{:.0f} pixels {}", std::abs(most), words);
+  const double pixels = across ? shift.x : shift.y;
+  const char* const words = across ? (pixels > 0 ? "right of" : "left of") : (pixels > 0 ? "below" : "above");
+  return fmt::format("{:.0f} pixels {}", std::abs(pixels), words);
 }
 
 bool is_off(const std::optional<EdgeShift>& shift, int width) {

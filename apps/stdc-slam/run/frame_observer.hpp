@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/rgbd_image.hpp"
+#include "slam/tracking_result.hpp"
+
+namespace stdc::app {
+
+/// A frame that has just been tracked.
+struct ObservedFrame {
+  int number = 0;                    ///< in the input; TrackingResult::frame counts from the first chosen one
+  const RgbdImage* image = nullptr;  ///< null: it could not be read
+  const TrackingResult& result;
+};
+
+/// Who wants to see each frame once it has been tracked: to draw, write, score or show it. Called by the
+/// tracking thread between two frames, so what takes long belongs elsewhere.
+class FrameObserver {
+ public:
+  FrameObserver() = default;
+  FrameObserver(const FrameObserver&) = delete;
+  FrameObserver& operator=(const FrameObserver&) = delete;
+  virtual ~FrameObserver() = default;
+
+  /// Image and result are there only during the call.
+  virtual void on_frame(const ObservedFrame& frame) = 0;
+};
+
+}  // namespace stdc::app

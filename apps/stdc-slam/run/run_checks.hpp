@@ -1,0 +1,21 @@
+#pragma once
+
+#include "run/inpainted_folder.hpp"
+#include "run/run_options.hpp"
+#include "slam/settings.hpp"
+
+namespace stdc::app {
+
+// Contradictions among the options of `run`, and places that cannot be written to: what would otherwise come
+// to light at the end. All throw Error.
+
+/// --load-map, --save-map and --localisation-only, on their own and against the settings.
+void check_map_options(const RunOptions& options, const Settings& settings);
+/// Whether the map can be written. The output folder, which may be its place, must be there.
+void check_place_for_map(const RunOptions& options);
+/// Whether there will be masks to inpaint by.
+void check_inpainting(const RunOptions& options, const Settings& settings);
+/// The folder of --inpaint, which appears at the end, must not hold other results.
+void check_apart(const RunOptions& options, const InpaintedFolder& inpainted);
+
+}  // namespace stdc::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "report/debug_images.hpp"
+#include "run/dense_output.hpp"
+#include "run/inpainted_folder.hpp"
+#include "run/mask_record.hpp"
+#include "run/mask_scoring.hpp"
+#include "run/output_folder.hpp"
+#include "run/run_options.hpp"
+#include "run/saved_masks.hpp"
+
+namespace stdc::app {
+
+/// The places of all that a run writes, but the map, and what it gathers for them on the way. Nothing appears
+/// before commit().
+class RunOutputs {
+ public:
+  /// Throws Error if a place cannot be written to, or if one lies in the way of another.
+  RunOutputs(const RunOptions& options, const Settings& settings, const SequenceInput& input);
+
+  /// Those that must see each frame.
+  std::vector<FrameObserver*> observers();
+  void commit();
+
+  std::optional<InpaintedFolder> inpainted;
+  OutputFolder folder;  ///< of trajectory.txt and its like
+  std::optional<DenseOutput> dense;
+  std::optional<DebugImages> pictures;
+  std::optional<SavedMasks> masks;
+  std::optional<MaskScoring> mask_scoring;
+  MaskRecord mask_record;  ///< filled only for inpainting
+};
+
+}  // namespace stdc::app
