@@ -138,8 +138,8 @@ class Filler {
       for (int c = 0; c < 3; ++c) colour[c] *= source.gain[c];
       if (opinion.colours == 0) first = colour;
       const cv::Vec3f apart = colour - first;
-      const float difference = std::max({std::abs(apart[0]), std::abs(apart[1]), std::abs(apart[2])});
-      const float weight = opinion.colours == 0 ? 1 : std::max(0.F, 1 - difference / colour_tolerance_);
+      const float max_difference = std::max({std::abs(apart[0]), std::abs(apart[1]), std::abs(apart[2])});
+      const float weight = opinion.colours == 0 ? 1 : std::max(0.F, 1 - max_difference / colour_tolerance_);
       opinion.colour += weight * colour;
       opinion.colours += weight;
     }
