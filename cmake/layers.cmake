@@ -1,18 +1,23 @@
-# stdc_options: what every target of the project is compiled with. The standard is a feature of it, so that a project
+# stdc_options: what a target needs that uses the project's headers. The standard is a feature of it, so that a project
 # that takes this one by add_subdirectory and links a layer need not set it.
 add_library(stdc_options INTERFACE)
 target_compile_features(stdc_options INTERFACE cxx_std_20)
 target_include_directories(stdc_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_include_directories(stdc_options SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
-# No fused multiply-add: a frame gives the same bytes whichever instruction set the loop was dispatched to.
-target_compile_options(stdc_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-  -Woverloaded-virtual -Werror -ffp-contract=off)
 target_link_libraries(stdc_options INTERFACE Eigen3::Eigen Threads::Threads)
+# The project's own code is compiled strictly; who uses it need not be. No fused multiply-add: a frame gives the same
+# bytes whichever instruction set the loop was dispatched to.
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  -ffp-contract=off)
 if(STDC_SANITIZE)
   target_compile_options(stdc_options INTERFACE -fsanitize=${STDC_SANITIZE} -fno-omit-frame-pointer -g
     -fno-sanitize-recover=all)
   target_link_options(stdc_options INTERFACE -fsanitize=${STDC_SANITIZE})
 endif()
+
+# How many files of a folder are compiled together at most: enough to save most of what can be saved, few enough that two
+# cores share the last of them.
+set(STDC_UNITED_FILES 6)
 
 # Tests are compiled with little optimisation: more costs twice the compile time and gains little.
 set(STDC_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>")
@@ -41,16 +46,26 @@ function(stdc_leave_out_rendered_tests list_name)
 endfunction()
 
 # stdc_unite(TARGET MAX file...): files of the target that lie in the same folder are compiled together, at most MAX of
-# them: what their headers and templates cost is paid once. For files that are seldom changed, because a change to one
-# compiles its neighbours too. Names in their anonymous namespaces must differ.
+# them: what their headers and templates cost is paid once, which halves a whole build. A change to one compiles its
+# neighbours too, so who works on the code turns STDC_UNITY off. Names in their anonymous namespaces must differ. Files
+# that Highway compiles once for each instruction set stay alone, and so do those with options of their own.
 function(stdc_unite target max)
+  if(NOT STDC_UNITY)
+    return()
+  endif()
   foreach(file IN LISTS ARGN)
+    file(STRINGS ${file} alone REGEX "hwy/foreach_target|UNITY: alone")
+    if(alone)
+      continue()
+    endif()
     get_filename_component(folder ${file} DIRECTORY)
+    string(MD5 key "${folder}")
     get_filename_component(folder ${folder} NAME)
-    math(EXPR batch "${count_${folder}}+0")
+    math(EXPR batch "${count_${key}}+0")
     math(EXPR group "${batch} / ${max}")
-    math(EXPR count_${folder} "${batch} + 1")
-    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${folder}_${group})
+    math(EXPR count_${key} "${batch} + 1")
+    string(SUBSTRING ${key} 0 4 key)
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${folder}_${key}_${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
@@ -74,6 +89,7 @@ function(stdc_add_layer name)
     add_library(stdc_${name} STATIC ${sources})
     target_link_libraries(stdc_${name} PUBLIC stdc_options ${LAYER_DEPENDS})
     stdc_use_precompiled(stdc_${name} stdc_precompiled)
+    stdc_unite(stdc_${name} ${STDC_UNITED_FILES} ${sources})
   else()
     add_library(stdc_${name} INTERFACE)
     target_link_libraries(stdc_${name} INTERFACE stdc_options ${LAYER_DEPENDS})
@@ -87,6 +103,7 @@ function(stdc_add_layer name)
     target_link_libraries(stdc_${name}_test PRIVATE ${LAYER_TEST_DEPENDS} stdc_${name} GTest::gtest_main)
     target_compile_options(stdc_${name}_test PRIVATE ${STDC_TEST_OPTIONS})
     stdc_use_precompiled(stdc_${name}_test stdc_test_precompiled)
+    stdc_unite(stdc_${name}_test ${STDC_UNITED_FILES} ${tests})
     if(LAYER_ONE_TEST)
       add_test(NAME ${name} COMMAND stdc_${name}_test)
     else()

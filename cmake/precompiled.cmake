@@ -23,7 +23,7 @@ endfunction()
 
 if(STDC_PRECOMPILED)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(stdc_options INTERFACE -fpch-preprocess)  # without it ccache cannot see into them
+    add_compile_options(-fpch-preprocess)  # without it ccache cannot see into them
   endif()
   stdc_make_precompiled(stdc_precompiled HEADERS ${STDC_HEAVY_HEADERS})
   if(STDC_BUILD_TESTS)

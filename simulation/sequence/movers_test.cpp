@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-RenderSettings small_settings(bool with_movers = true) {
+RenderSettings movers_settings(bool with_movers = true) {
   RenderSettings settings;
   settings.camera = small_camera();
   settings.with_people = with_movers;
@@ -25,7 +25,7 @@ RenderSettings small_settings(bool with_movers = true) {
 
 double share(const cv::Mat& mask) { return static_cast<double>(cv::countNonZero(mask)) / mask.total(); }
 
-bool same(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0; }
+bool same_images(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0; }
 
 /// The scenes of all presets with movers, without rendering.
 class Movers : public testing::Test {
@@ -100,7 +100,7 @@ TEST_F(Movers, PeopleKeepClearOfTheCameraAndTheRoom) {
 }
 
 TEST(MoverMasks, TheBoardCoversMostOfTheViewFromNear) {
-  const RenderedSequence sequence(Preset::board, small_settings());
+  const RenderedSequence sequence(Preset::board, movers_settings());
   int covered = 0;
   for (int i = 300; i < 480; i += 6) {
     const RenderedFrame frame = sequence.render(i);
@@ -123,7 +123,7 @@ TEST(MoverMasks, TheBoardCoversMostOfTheViewFromNear) {
 }
 
 TEST(MoverMasks, MovedShowsTheBoxWhileItRests) {
-  const RenderedSequence sequence(Preset::box_removed, small_settings());
+  const RenderedSequence sequence(Preset::box_removed, movers_settings());
   const RenderedFrame before = sequence.render(30), during = sequence.render(270),
                       after = sequence.render(590);
   EXPECT_EQ(cv::countNonZero(before.mask), 0);
@@ -134,16 +134,16 @@ TEST(MoverMasks, MovedShowsTheBoxWhileItRests) {
 }
 
 TEST(MoverMasks, TheCleanRoomHasNoMovers) {
-  const RenderedSequence with(Preset::box_removed, small_settings()),
-      without(Preset::box_removed, small_settings(false));
+  const RenderedSequence with(Preset::box_removed, movers_settings()),
+      without(Preset::box_removed, movers_settings(false));
   const RenderedFrame clean = without.render(30), boxed = with.render(30);
   EXPECT_EQ(cv::countNonZero(clean.mask), 0);
   EXPECT_TRUE(clean.moved.empty());
   EXPECT_FALSE(
-      same(clean.image.depth, boxed.image.depth));  // the box stands there, but not in the clean room
+      same_images(clean.image.depth, boxed.image.depth));  // the box stands there, but not in the clean room
   // After the errand both rooms are the same.
   const RenderedFrame left = with.render(590), empty = without.render(590);
-  EXPECT_TRUE(same(left.image.depth, empty.image.depth));
+  EXPECT_TRUE(same_images(left.image.depth, empty.image.depth));
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr MotionKind kMotions[] = {MotionKind::desk, MotionKind::room_loop,  MotionKind::watch,
-                                   MotionKind::xyz,  MotionKind::halfsphere, MotionKind::rpy,
-                                   MotionKind::held, MotionKind::follow};
+constexpr MotionKind kPresetMotions[] = {MotionKind::desk, MotionKind::room_loop,  MotionKind::watch,
+                                         MotionKind::xyz,  MotionKind::halfsphere, MotionKind::rpy,
+                                         MotionKind::held, MotionKind::follow};
 
 class StillRoom : public testing::Test {
  protected:
@@ -50,7 +50,7 @@ class StillRoom : public testing::Test {
 };
 
 TEST_F(StillRoom, TheCameraHasRoomAllAlongEveryPath) {
-  for (const MotionKind kind : kMotions) {
+  for (const MotionKind kind : kPresetMotions) {
     const CameraPath motion(kind, 1);
     for (double t = 0; t < 40; t += 0.2) {
       const auto [nearest, inside] = clearance(motion.world_from_cam(t).translation.cast<float>());

@@ -9,7 +9,7 @@
 namespace stdc {
 namespace {
 
-constexpr KeyframeId id(std::uint32_t value) { return {value}; }
+constexpr KeyframeId keyframe_id(std::uint32_t value) { return {value}; }
 
 /// Six keyframes along a metre.
 class MapBundles : public ::testing::Test {
@@ -35,11 +35,11 @@ class MapBundles : public ::testing::Test {
 TEST_F(MapBundles, LandmarksAreListedOnceAndByNumber) {
   std::set<std::uint32_t> expected;
   for (const std::uint32_t k : {4U, 2U}) {
-    for (const LandmarkId landmark : atlas().keyframe(id(k)).landmarks) {
+    for (const LandmarkId landmark : atlas().keyframe(keyframe_id(k)).landmarks) {
       if (landmark.valid()) expected.insert(landmark.value);
     }
   }
-  const std::vector<LandmarkId> landmarks = landmarks_of(atlas(), {id(4), id(2)});
+  const std::vector<LandmarkId> landmarks = landmarks_of(atlas(), {keyframe_id(4), keyframe_id(2)});
   ASSERT_EQ(landmarks.size(), expected.size());
   EXPECT_TRUE(std::equal(landmarks.begin(), landmarks.end(), expected.begin(),
                          [](LandmarkId a, std::uint32_t b) { return a.value == b; }));
@@ -47,7 +47,7 @@ TEST_F(MapBundles, LandmarksAreListedOnceAndByNumber) {
 }
 
 TEST_F(MapBundles, ThoseThatSeeMostComeFirst) {
-  const std::vector<KeyframeId> inside{id(2), id(3)};
+  const std::vector<KeyframeId> inside{keyframe_id(2), keyframe_id(3)};
   const std::vector<LandmarkId> landmarks = landmarks_of(atlas(), inside);
   const auto seen_by = [&](KeyframeId keyframe) {
     return std::count_if(landmarks.begin(), landmarks.end(),
@@ -56,7 +56,7 @@ TEST_F(MapBundles, ThoseThatSeeMostComeFirst) {
   const std::vector<KeyframeId> others = other_observers(atlas(), inside, 100);
   ASSERT_EQ(others.size(), 4U) << "none of the inside ones";
   for (std::size_t i = 0; i < others.size(); ++i) {
-    EXPECT_TRUE(others[i] != id(2) && others[i] != id(3));
+    EXPECT_TRUE(others[i] != keyframe_id(2) && others[i] != keyframe_id(3));
     if (i == 0) continue;
     EXPECT_GE(seen_by(others[i - 1]), seen_by(others[i]));
     if (seen_by(others[i - 1]) == seen_by(others[i])) {
@@ -69,10 +69,10 @@ TEST_F(MapBundles, ThoseThatSeeMostComeFirst) {
 }
 
 TEST_F(MapBundles, AProblemHoldsEveryObservationOfThoseInIt) {
-  const std::vector<KeyframeId> moving{id(3), id(4)}, fixed{id(5), id(1)};
+  const std::vector<KeyframeId> moving{keyframe_id(3), keyframe_id(4)}, fixed{keyframe_id(5), keyframe_id(1)};
   const MapBundle bundle = make_map_bundle(atlas(), moving, fixed);
   const BundleProblem& problem = bundle.problem;
-  EXPECT_EQ(bundle.keyframes, (std::vector{id(3), id(4), id(5), id(1)}));
+  EXPECT_EQ(bundle.keyframes, (std::vector{keyframe_id(3), keyframe_id(4), keyframe_id(5), keyframe_id(1)}));
   EXPECT_EQ(bundle.moving, 2);
   EXPECT_EQ(problem.pose_fixed, (std::vector<std::uint8_t>{0, 0, 1, 1}));
   EXPECT_EQ(bundle.landmarks, landmarks_of(atlas(), moving)) << "not those that only the fixed ones see";
@@ -98,15 +98,15 @@ TEST_F(MapBundles, AProblemHoldsEveryObservationOfThoseInIt) {
 }
 
 TEST_F(MapBundles, TheRootOfAnyMapIsFixed) {
-  EXPECT_EQ(make_map_bundle(atlas(), {id(0), id(1)}, {}).problem.pose_fixed,
+  EXPECT_EQ(make_map_bundle(atlas(), {keyframe_id(0), keyframe_id(1)}, {}).problem.pose_fixed,
             (std::vector<std::uint8_t>{1, 0}));
   mapped.start_map();
   for (int k = 0; k < 2; ++k) mapped.add(mapped.scene.look(test::camera_at(0.2 * k, 0, 0)));
-  const MapBundle bundle = make_map_bundle(atlas(), {id(6), id(7)}, {});
+  const MapBundle bundle = make_map_bundle(atlas(), {keyframe_id(6), keyframe_id(7)}, {});
   EXPECT_EQ(bundle.problem.pose_fixed, (std::vector<std::uint8_t>{1, 0}));
-  EXPECT_EQ(bundle.problem.points.size(), landmarks_of(atlas(), {id(6), id(7)}).size());
+  EXPECT_EQ(bundle.problem.points.size(), landmarks_of(atlas(), {keyframe_id(6), keyframe_id(7)}).size());
   atlas().join({1}, {0});
-  EXPECT_EQ(make_map_bundle(atlas(), {id(6), id(7)}, {}).problem.pose_fixed,
+  EXPECT_EQ(make_map_bundle(atlas(), {keyframe_id(6), keyframe_id(7)}, {}).problem.pose_fixed,
             (std::vector<std::uint8_t>{0, 0}));
 }
 
@@ -114,24 +114,27 @@ TEST_F(MapBundles, TheSolutionIsTakenIn) {
   for (std::uint32_t k = 1; k < 6; ++k) {
     Vector6d twist;
     twist << 0.01, -0.008, 0.006, 0.002, -0.003, 0.002;
-    atlas().set_pose(id(k), Pose::exp(twist) * mapped.views[k].cam_from_world);
+    atlas().set_pose(keyframe_id(k), Pose::exp(twist) * mapped.views[k].cam_from_world);
   }
   for (const LandmarkId landmark : atlas().landmark_ids()) {
     atlas().set_position(landmark, atlas().landmark(landmark).position + Eigen::Vector3d(0.01, 0.01, -0.01));
     atlas().refresh_geometry(landmark);
   }
-  MapBundle bundle = make_map_bundle(atlas(), {id(1), id(2), id(3), id(4), id(5)}, {id(0)});
+  MapBundle bundle = make_map_bundle(
+      atlas(), {keyframe_id(1), keyframe_id(2), keyframe_id(3), keyframe_id(4), keyframe_id(5)},
+      {keyframe_id(0)});
   const BundleResult result = adjust(bundle);
   ASSERT_TRUE(result.usable);
   EXPECT_EQ(apply_bundle(atlas(), bundle, result), 0);
   for (std::uint32_t k = 0; k < 6; ++k) {
-    EXPECT_LT(test::centre_error(atlas().keyframe(id(k)).cam_from_world, mapped.views[k].cam_from_world),
-              5e-4);
+    EXPECT_LT(
+        test::centre_error(atlas().keyframe(keyframe_id(k)).cam_from_world, mapped.views[k].cam_from_world),
+        5e-4);
   }
   for (std::size_t p = 0; p < mapped.landmarks.size(); ++p) {
     if (!mapped.landmarks[p].valid()) continue;
     const Landmark& landmark = atlas().landmark(mapped.landmarks[p]);
-    if (landmark.observations.back().keyframe == id(0)) continue;  // seen by none that moves
+    if (landmark.observations.back().keyframe == keyframe_id(0)) continue;  // seen by none that moves
     EXPECT_LT((landmark.position - mapped.scene.points[p].position).norm(), 5e-3);
     const Keyframe& first = atlas().keyframe(landmark.observations.front().keyframe);
     EXPECT_NEAR(landmark.max_distance,
@@ -144,16 +147,17 @@ TEST_F(MapBundles, TheSolutionIsTakenIn) {
 }
 
 TEST_F(MapBundles, FixedKeyframesStay) {
-  MapBundle bundle = make_map_bundle(atlas(), {id(3), id(4)}, {id(2), id(5)});
+  MapBundle bundle =
+      make_map_bundle(atlas(), {keyframe_id(3), keyframe_id(4)}, {keyframe_id(2), keyframe_id(5)});
   BundleResult result = adjust(bundle);
-  const Pose fixed = atlas().keyframe(id(5)).cam_from_world;
+  const Pose fixed = atlas().keyframe(keyframe_id(5)).cam_from_world;
   bundle.problem.cam_from_world[3] = Pose();  // whatever is said of them
   apply_bundle(atlas(), bundle, result);
-  EXPECT_EQ(atlas().keyframe(id(5)).cam_from_world.translation, fixed.translation);
+  EXPECT_EQ(atlas().keyframe(keyframe_id(5)).cam_from_world.translation, fixed.translation);
 }
 
 TEST_F(MapBundles, OutliersAreForgotten) {
-  const Keyframe& keyframe = atlas().keyframe(id(3));
+  const Keyframe& keyframe = atlas().keyframe(keyframe_id(3));
   const int wrong = static_cast<int>(
       std::find_if(keyframe.landmarks.begin(), keyframe.landmarks.end(),
                    [&](LandmarkId l) { return atlas().landmark(l).observations.size() >= 4; }) -
@@ -162,18 +166,20 @@ TEST_F(MapBundles, OutliersAreForgotten) {
   const std::size_t observations = atlas().landmark(landmark).observations.size();
   Measurement measurement = keyframe.measurements[wrong];
   measurement.pixel.x() += 40;
-  atlas().set_measurement(id(3), wrong, measurement);
-  MapBundle bundle = make_map_bundle(atlas(), {id(1), id(2), id(3), id(4), id(5)}, {id(0)});
+  atlas().set_measurement(keyframe_id(3), wrong, measurement);
+  MapBundle bundle = make_map_bundle(
+      atlas(), {keyframe_id(1), keyframe_id(2), keyframe_id(3), keyframe_id(4), keyframe_id(5)},
+      {keyframe_id(0)});
   const BundleResult result = adjust(bundle);
   ASSERT_TRUE(result.usable);
   EXPECT_EQ(apply_bundle(atlas(), bundle, result), 1);
-  EXPECT_FALSE(atlas().keyframe(id(3)).landmarks[wrong].valid());
+  EXPECT_FALSE(atlas().keyframe(keyframe_id(3)).landmarks[wrong].valid());
   EXPECT_EQ(atlas().landmark(landmark).observations.size(), observations - 1);
   test::expect_consistent(atlas());
 }
 
 TEST_F(MapBundles, ALandmarkOfOutliersOnlyGoes) {
-  const MapBundle bundle = make_map_bundle(atlas(), {id(1), id(2)}, {});
+  const MapBundle bundle = make_map_bundle(atlas(), {keyframe_id(1), keyframe_id(2)}, {});
   BundleResult result;
   result.usable = true;
   result.inlier.assign(bundle.problem.observations.size(), 1);
@@ -184,8 +190,8 @@ TEST_F(MapBundles, ALandmarkOfOutliersOnlyGoes) {
   for (const LandmarkId landmark : gone) {
     // Others see it too: their observations are not part of the problem and must go first.
     for (const std::uint32_t k : {0U, 3U, 4U, 5U}) {
-      const int keypoint = atlas().keypoint_of(landmark, id(k));
-      if (keypoint >= 0) atlas().remove_observation(id(k), keypoint);
+      const int keypoint = atlas().keypoint_of(landmark, keyframe_id(k));
+      if (keypoint >= 0) atlas().remove_observation(keyframe_id(k), keypoint);
     }
   }
   for (std::size_t i = 0; i < result.inlier.size(); ++i) {
@@ -199,15 +205,15 @@ TEST_F(MapBundles, ALandmarkOfOutliersOnlyGoes) {
 }
 
 TEST_F(MapBundles, AnUnusableResultChangesNothing) {
-  MapBundle bundle = make_map_bundle(atlas(), {id(1), id(2)}, {id(0)});
+  MapBundle bundle = make_map_bundle(atlas(), {keyframe_id(1), keyframe_id(2)}, {keyframe_id(0)});
   const int landmarks = atlas().landmark_count();
-  const Pose before = atlas().keyframe(id(1)).cam_from_world;
+  const Pose before = atlas().keyframe(keyframe_id(1)).cam_from_world;
   bundle.problem.cam_from_world[0] = test::camera_at(9, 9, 9);
   BundleResult result;
   result.inlier.assign(bundle.problem.observations.size(), 0);
   EXPECT_EQ(apply_bundle(atlas(), bundle, result), 0);
   EXPECT_EQ(atlas().landmark_count(), landmarks);
-  EXPECT_EQ(atlas().keyframe(id(1)).cam_from_world.translation, before.translation);
+  EXPECT_EQ(atlas().keyframe(keyframe_id(1)).cam_from_world.translation, before.translation);
   test::expect_consistent(atlas());
 }
 

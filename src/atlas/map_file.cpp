@@ -33,20 +33,21 @@ void put_camera(RecordWriter& out, const Camera& camera) {
 }
 
 Camera get_camera(RecordReader& in, std::uint32_t version) {
-  constexpr double kFar = 1e6;
+  constexpr double kMaxValue = 1e6;
   Camera camera;
   camera.width = in.get_number<std::int32_t>(1, 16384);
   camera.height = in.get_number<std::int32_t>(1, 16384);
-  for (double* value : {&camera.fx, &camera.fy}) *value = in.get_number<double>(1e-3, kFar);
+  for (double* value : {&camera.fx, &camera.fy}) *value = in.get_number<double>(1e-3, kMaxValue);
   for (double* value : {&camera.cx, &camera.cy, &camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3}) {
-    *value = in.get_number<double>(-kFar, kFar);
+    *value = in.get_number<double>(-kMaxValue, kMaxValue);
   }
   for (double* value : {&camera.depth_units_per_metre, &camera.frames_per_second}) {
     *value = in.get_number<double>(1e-6, 1e9);
   }
   camera.readout_time = in.get_number<double>(0, 10);
   if (version < 2) return camera;
-  for (double* value : {&camera.k4, &camera.k5, &camera.k6}) *value = in.get_number<double>(-kFar, kFar);
+  for (double* value : {&camera.k4, &camera.k5, &camera.k6})
+    *value = in.get_number<double>(-kMaxValue, kMaxValue);
   camera.lens =
       static_cast<LensModel>(in.get_number<std::int32_t>(static_cast<std::int32_t>(LensModel::brown_conrady),
                                                          static_cast<std::int32_t>(LensModel::equidistant)));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kSignature = 8, kChunkFrame = 12;  // lengths [bytes]; a chunk's length, type, check sum
 
-std::uint32_t big_endian(const std::uint8_t* bytes) {
+std::uint32_t png_number(const std::uint8_t* bytes) {
   return std::uint32_t{bytes[0]} << 24U | std::uint32_t{bytes[1]} << 16U | std::uint32_t{bytes[2]} << 8U |
          bytes[3];
 }
@@ -31,11 +31,11 @@ Chunk chunk_at(Bytes bytes, std::size_t position) {
   Chunk chunk;
   if (bytes.size() - position < kChunkFrame) return chunk;
   const std::uint8_t* start = bytes.data() + position;
-  const std::size_t length = big_endian(start);
+  const std::size_t length = png_number(start);
   if (length > bytes.size() - position - kChunkFrame) return chunk;
   std::memcpy(chunk.type.data(), start + 4, 4);
   chunk.data = bytes.subspan(position + 8, length);
-  chunk.whole = libdeflate_crc32(0, start + 4, length + 4) == big_endian(start + 8 + length);
+  chunk.whole = libdeflate_crc32(0, start + 4, length + 4) == png_number(start + 8 + length);
   return chunk;
 }
 
@@ -49,8 +49,8 @@ std::optional<Layout> read_header(const Chunk& header, cv::Size size) {
   constexpr std::size_t kHeaderLength = 13;
   if (!header.whole || !header.is("IHDR") || header.data.size() != kHeaderLength) return std::nullopt;
   const std::uint8_t* h = header.data.data();
-  if (big_endian(h) != static_cast<std::uint32_t>(size.width)) return std::nullopt;
-  if (big_endian(h + 4) != static_cast<std::uint32_t>(size.height)) return std::nullopt;
+  if (png_number(h) != static_cast<std::uint32_t>(size.width)) return std::nullopt;
+  if (png_number(h + 4) != static_cast<std::uint32_t>(size.height)) return std::nullopt;
   if (h[10] != 0 || h[11] != 0 || h[12] != 0) return std::nullopt;  // compression, filter, interlacing
   const int bits = h[8], colour = h[9];
   if (bits == 8 && colour == 0) return Layout{CV_8UC1, 1};

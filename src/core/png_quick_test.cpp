@@ -52,7 +52,7 @@ std::vector<std::uint8_t> encode(const cv::Mat& image, const Kind& kind, int chu
 }
 
 /// Smooth with noise and flat parts, so that every filter is the best somewhere.
-cv::Mat picture(cv::Size size, int type) {
+cv::Mat test_picture(cv::Size size, int type) {
   Random random(3);
   cv::Mat image(size, type, cv::Scalar::all(0));
   const int channels = image.channels();
@@ -77,7 +77,7 @@ TEST(DecodePngQuickly, UndoesEveryFilter) {
       for (const Kind& kind :
            {Kind{CV_8UC1, PNG_COLOR_TYPE_GRAY, 8, filters}, Kind{CV_8UC3, PNG_COLOR_TYPE_RGB, 8, filters},
             Kind{CV_16UC1, PNG_COLOR_TYPE_GRAY, 16, filters}}) {
-        const cv::Mat image = picture(size, kind.type);
+        const cv::Mat image = test_picture(size, kind.type);
         const auto decoded = decode_png_quickly(encode(image, kind, 100), size);
         ASSERT_TRUE(decoded);
         ASSERT_EQ(decoded->image.type(), kind.type);
@@ -91,7 +91,7 @@ TEST(DecodePngQuickly, LeavesUnusualKindsToLibpng) {
   const cv::Size size(67, 45);
   for (const Kind& kind : {Kind{CV_8UC4, PNG_COLOR_TYPE_RGB_ALPHA}, Kind{CV_8UC1, PNG_COLOR_TYPE_PALETTE},
                            Kind{CV_8UC3, PNG_COLOR_TYPE_RGB, 8, PNG_ALL_FILTERS, PNG_INTERLACE_ADAM7}}) {
-    const cv::Mat image = picture(size, kind.type);
+    const cv::Mat image = test_picture(size, kind.type);
     const auto bytes = encode(image, kind);
     EXPECT_FALSE(decode_png_quickly(bytes, size));
     const DecodedImage decoded = decode_png_colour(bytes, size, ColourMode::as_stored);
@@ -110,7 +110,7 @@ TEST(DecodePngQuickly, LeavesUnusualKindsToLibpng) {
 
 TEST(DecodePngQuickly, TakesNothingDamaged) {
   const cv::Size size(67, 45);
-  const auto file = encode(picture(size, CV_16UC1), {CV_16UC1, PNG_COLOR_TYPE_GRAY, 16}, 500);
+  const auto file = encode(test_picture(size, CV_16UC1), {CV_16UC1, PNG_COLOR_TYPE_GRAY, 16}, 500);
   ASSERT_TRUE(decode_png_quickly(file, size));
   for (std::size_t length = 0; length < file.size(); ++length) {
     EXPECT_FALSE(decode_png_quickly(Bytes(file).first(length), size)) << length;

@@ -10,7 +10,7 @@ namespace {
 using kernels::kLanes;
 
 // Larger coordinates [m or px] are taken for garbage; squares of them would overflow further down.
-constexpr double kMax = 1e8;
+constexpr double kMaxValue = 1e8;
 
 bool fits_together(const BundleProblem& problem) {
   const auto poses = static_cast<std::int64_t>(problem.cam_from_world.size());
@@ -23,8 +23,8 @@ bool fits_together(const BundleProblem& problem) {
 
 bool is_sane(const BundleProblem& problem, const BundleObservation& o) {
   const Eigen::Vector3d& point = problem.points[static_cast<std::size_t>(o.point)];
-  return point.allFinite() && point.cwiseAbs().maxCoeff() < kMax && o.pixel.allFinite() &&
-         o.pixel.cwiseAbs().maxCoeff() < kMax && o.scale > 0 && std::isfinite(o.scale);
+  return point.allFinite() && point.cwiseAbs().maxCoeff() < kMaxValue && o.pixel.allFinite() &&
+         o.pixel.cwiseAbs().maxCoeff() < kMaxValue && o.scale > 0 && std::isfinite(o.scale);
 }
 
 std::vector<std::uint32_t> sane_observations(const BundleProblem& problem) {

@@ -12,9 +12,9 @@
 namespace stdc {
 namespace {
 
-constexpr double kFirstDamping = 1e-6;
-constexpr double kMinDamping = 1e-10;
-constexpr double kMaxDamping = 1e8;
+constexpr double kGraphFirstDamping = 1e-6;
+constexpr double kGraphMinDamping = 1e-10;
+constexpr double kGraphMaxDamping = 1e8;
 constexpr std::int32_t kFixed = -1;
 
 template <std::size_t count>
@@ -52,12 +52,12 @@ class PoseGraphSolver {
 
   /// Levenberg-Marquardt (gain ratio: Nielsen 1999). False if no step could be computed at all.
   bool minimise(std::vector<Pose>& poses, PoseGraphResult& result) {
-    double damping = kFirstDamping, growth = 4;
+    double damping = kGraphFirstDamping, growth = 4;
     result.final_cost = result.initial_cost = cost(poses);
     if (!std::isfinite(result.initial_cost)) return false;
     bool stepped = false;
     linearise(poses);
-    while (result.iterations < settings_.iterations && damping <= kMaxDamping) {
+    while (result.iterations < settings_.iterations && damping <= kGraphMaxDamping) {
       ++result.iterations;
       const std::optional<double> expected = solve(damping);
       if (expected) {
@@ -71,7 +71,7 @@ class PoseGraphSolver {
           result.final_cost = there;
           if (converged) break;
           const double gain = 2.0 * decrease / *expected - 1.0;
-          damping = std::max(damping * std::clamp(1.0 - gain * gain * gain, 0.1, 2.0), kMinDamping);
+          damping = std::max(damping * std::clamp(1.0 - gain * gain * gain, 0.1, 2.0), kGraphMinDamping);
           growth = 4;
           linearise(poses);
           continue;

@@ -13,20 +13,21 @@ namespace {
 using kernels::kLanes;
 
 // Larger coordinates [m or px] are taken for garbage; squares of them would overflow further down.
-constexpr double kMax = 1e8;
+constexpr double kMaxCoordinate = 1e8;
 // A round ends when the next step would lower the cost by less than this: it is in units of chi-square, so
 // the pose then lies within sqrt(2 * this) of its own standard deviation from the minimum.
 constexpr double kSettled = 1e-5;
-constexpr double kFirstDamping = 1e-6;
-constexpr double kMaxDamping = 1e6;
+constexpr double kPoseFirstDamping = 1e-6;
+constexpr double kPoseMaxDamping = 1e6;
 // A unit direction of the pose (scaled to unit information per coordinate) that keeps less than this share of
 // its information once the others are estimated too is not determined by the observations.
 constexpr double kSingular = 1e-10;
-constexpr kernels::Gate kInlier{kChiSquare95Pixel, kChiSquare95Depth};
+constexpr kernels::Gate kPoseInlier{kChiSquare95Pixel, kChiSquare95Depth};
 
 bool is_sane(const PoseObservation& o) {
-  return o.point_in_world.cwiseAbs().maxCoeff() < kMax && o.pixel.cwiseAbs().maxCoeff() < kMax &&
-         o.point_in_world.allFinite() && o.pixel.allFinite() && o.scale > 0 && std::isfinite(o.scale);
+  return o.point_in_world.cwiseAbs().maxCoeff() < kMaxCoordinate &&
+         o.pixel.cwiseAbs().maxCoeff() < kMaxCoordinate && o.point_in_world.allFinite() &&
+         o.pixel.allFinite() && o.scale > 0 && std::isfinite(o.scale);
 }
 
 /// The sane observations in groups of four, and for each of them its index in the list given.
@@ -98,8 +99,8 @@ class PoseSolver {
 
   /// Levenberg-Marquardt from `pose`, whose linearisation is `at`; both are moved to the end point.
   void minimise(int iterations, Pose* pose, Linearisation* at) {
-    double damping = kFirstDamping, growth = 4.0;
-    for (int i = 0; i < iterations && damping <= kMaxDamping; ++i) {
+    double damping = kPoseFirstDamping, growth = 4.0;
+    for (int i = 0; i < iterations && damping <= kPoseMaxDamping; ++i) {
       Matrix6d damped = at->hessian;
       const Vector6d added = damping * at->hessian.diagonal();
       damped.diagonal() += added;
@@ -184,7 +185,7 @@ PoseOptimisationResult optimise_pose(const Camera& camera, std::span<const PoseO
   std::vector<std::uint8_t> inlier = solver.selection();
   for (int round = 0; round < settings.rounds && at.is_finite(); ++round) {
     solver.minimise(settings.iterations_per_round, &pose, &at);
-    at = solver.linearise(pose, &kInlier);
+    at = solver.linearise(pose, &kPoseInlier);
     std::vector<std::uint8_t> now = solver.selection();
     if (now == inlier) break;
     inlier.swap(now);

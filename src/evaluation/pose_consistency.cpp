@@ -8,7 +8,7 @@ namespace stdc {
 namespace {
 
 /// The true pose nearest in time; null if that is too far away. `truth` in the order of time.
-const StampedPose* nearest(const Trajectory& truth, double timestamp, double max_difference) {
+const StampedPose* nearest_pose(const Trajectory& truth, double timestamp, double max_difference) {
   const auto after =
       std::lower_bound(truth.begin(), truth.end(), timestamp,
                        [](const StampedPose& pose, double time) { return pose.timestamp < time; });
@@ -32,7 +32,7 @@ std::optional<PoseConsistency> pose_consistency(const Trajectory& truth, const P
   PoseConsistency result;
   const Pose estimate_from_truth = truth_from_estimate.inverse();
   for (const CovariantPose& pose : poses) {
-    const StampedPose* true_one = nearest(truth, pose.timestamp, max_difference);
+    const StampedPose* true_one = nearest_pose(truth, pose.timestamp, max_difference);
     if (true_one == nullptr) continue;
     const Pose world_from_cam = estimate_from_truth * true_one->world_from_cam;
     const Vector6d error = (pose.cam_from_world * world_from_cam).log();

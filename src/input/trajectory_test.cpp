@@ -18,7 +18,7 @@ Trajectory parse(const std::string& text) {
   return read_trajectory(stream, "t.txt");
 }
 
-std::string message(const std::string& text) {
+std::string message_for(const std::string& text) {
   return message_of([&] { parse(text); });
 }
 
@@ -52,19 +52,20 @@ TEST(Trajectory, WritesWhatItReads) {
 
 TEST(Trajectory, NamesTheLineAtFault) {
   const std::string good = "1 0 0 0 0 0 0 1\n";
-  EXPECT_EQ(message(good + "2 0 0 0 0 0 1\n"),
+  EXPECT_EQ(message_for(good + "2 0 0 0 0 0 1\n"),
             "t.txt:2: has 7 values instead of 8; write each line as: timestamp tx ty tz qx qy qz qw");
-  EXPECT_EQ(message("# c\n\n2 0 x 0 0 0 0 1"),
+  EXPECT_EQ(message_for("# c\n\n2 0 x 0 0 0 0 1"),
             "t.txt:3: 'x' is not a finite number; write each line as: timestamp tx ty tz qx qy qz qw");
-  EXPECT_NE(message("2 0 nan 0 0 0 0 1").find("t.txt:1: 'nan' is not a finite number"), std::string::npos);
-  EXPECT_NE(message("nan 0 0 0 0 0 0 1").find("t.txt:1: the timestamp 'nan'"), std::string::npos);
-  EXPECT_NE(message("1e12 0 0 0 0 0 0 1").find("t.txt:1: the timestamp '1e12' is too large"),
+  EXPECT_NE(message_for("2 0 nan 0 0 0 0 1").find("t.txt:1: 'nan' is not a finite number"),
             std::string::npos);
-  EXPECT_NE(message("1 0 0 0 0 0 0 0").find("t.txt:1: the quaternion has length 0"), std::string::npos);
-  EXPECT_NE(message("1 0 0 0 1e300 0 0 1e300").find("t.txt:1: the quaternion"), std::string::npos);
-  EXPECT_NE(message(good + good).find("t.txt:2: the timestamp 1.000000 is not later"), std::string::npos);
-  EXPECT_NE(message(good + "0.5 0 0 0 0 0 0 1").find("t.txt:2: "), std::string::npos);
-  EXPECT_NE(message("# nothing\n").find("t.txt: has no poses"), std::string::npos);
+  EXPECT_NE(message_for("nan 0 0 0 0 0 0 1").find("t.txt:1: the timestamp 'nan'"), std::string::npos);
+  EXPECT_NE(message_for("1e12 0 0 0 0 0 0 1").find("t.txt:1: the timestamp '1e12' is too large"),
+            std::string::npos);
+  EXPECT_NE(message_for("1 0 0 0 0 0 0 0").find("t.txt:1: the quaternion has length 0"), std::string::npos);
+  EXPECT_NE(message_for("1 0 0 0 1e300 0 0 1e300").find("t.txt:1: the quaternion"), std::string::npos);
+  EXPECT_NE(message_for(good + good).find("t.txt:2: the timestamp 1.000000 is not later"), std::string::npos);
+  EXPECT_NE(message_for(good + "0.5 0 0 0 0 0 0 1").find("t.txt:2: "), std::string::npos);
+  EXPECT_NE(message_for("# nothing\n").find("t.txt: has no poses"), std::string::npos);
 }
 
 TEST(Trajectory, NamesAMissingFile) {

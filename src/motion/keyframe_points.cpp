@@ -7,7 +7,7 @@
 namespace stdc {
 namespace {
 
-constexpr int kBin = 3;  // side of a square [cells]
+constexpr int kPointBin = 3;  // side of a square [cells]
 
 /// The best cell of a square; -1: none will do.
 int best_cell(const GridGeometry& geometry, const DepthGrid& grid, const std::vector<std::uint8_t>& dynamic,
@@ -16,8 +16,8 @@ int best_cell(const GridGeometry& geometry, const DepthGrid& grid, const std::ve
   constexpr float kMaxSpread = 0.04F;  // of the depths around, as a share of them
   const int width = geometry.width();
   int best = -1, contrast = kMinContrast - 1;
-  for (int y = top; y < top + kBin; ++y) {
-    for (int x = left; x < left + kBin; ++x) {
+  for (int y = top; y < top + kPointBin; ++y) {
+    for (int x = left; x < left + kPointBin; ++x) {
       const int cell = y * width + x;
       const auto i = static_cast<std::size_t>(cell), stride = static_cast<std::size_t>(width);
       if (grid.depth[i] == 0 || dynamic[i] != 0) continue;
@@ -57,8 +57,8 @@ int points_in_view(const GridGeometry& geometry, const KeyframePoints& keyframe,
 std::vector<Eigen::Vector3f> choose_points(const GridGeometry& geometry, const DepthGrid& grid,
                                            const std::vector<std::uint8_t>& dynamic) {
   std::vector<Eigen::Vector3f> points;
-  for (int y = 1; y + kBin < geometry.height(); y += kBin) {
-    for (int x = 1; x + kBin < geometry.width(); x += kBin) {
+  for (int y = 1; y + kPointBin < geometry.height(); y += kPointBin) {
+    for (int x = 1; x + kPointBin < geometry.width(); x += kPointBin) {
       const int cell = best_cell(geometry, grid, dynamic, x, y);
       if (cell < 0) continue;
       const float depth = grid.depth[static_cast<std::size_t>(cell)];

@@ -9,7 +9,7 @@
 namespace stdc {
 namespace {
 
-Descriptor random_descriptor(Random& random) {
+Descriptor any_descriptor(Random& random) {
   Descriptor descriptor;
   for (auto& word : descriptor.bits) word = (std::uint64_t{random.next()} << 32U) | random.next();
   return descriptor;
@@ -21,7 +21,7 @@ class Rooms {
   explicit Rooms(int places) {
     Random random(11);
     for (int p = 0; p < places; ++p) {
-      for (int i = 0; i < kCorners; ++i) corners_.push_back(random_descriptor(random));
+      for (int i = 0; i < kCorners; ++i) corners_.push_back(any_descriptor(random));
     }
   }
   std::vector<Descriptor> view(int place, std::uint64_t seed) const {

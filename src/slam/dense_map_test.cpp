@@ -33,7 +33,7 @@ bool same_mesh(const TriangleMesh& a, const TriangleMesh& b) {
          a.triangles == b.triangles;
 }
 
-std::string bytes_of(const std::filesystem::path& path) {
+std::string mesh_bytes(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -102,7 +102,7 @@ TEST(DenseMap, StaysWithTheMapFile) {
   plain.slam.load_map(folder / "room.map");
   EXPECT_TRUE(same_mesh(mesh, plain.slam.mesh({0}, kVoxel)));
   plain.slam.save_map(folder / "again.map");
-  EXPECT_EQ(bytes_of(folder / "room.map"), bytes_of(folder / "again.map"));
+  EXPECT_EQ(mesh_bytes(folder / "room.map"), mesh_bytes(folder / "again.map"));
   Walk later(dense_settings());
   later.slam.load_map(folder / "room.map");
   later.go(20, 50);

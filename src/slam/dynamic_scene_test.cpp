@@ -66,7 +66,7 @@ struct Result {
   int ok = 0;
 };
 
-Result run(const Settings& settings, std::unique_ptr<Segmenter> segmenter) {
+Result run_dynamic(const Settings& settings, std::unique_ptr<Segmenter> segmenter) {
   const TestSequence& sequence = TestSequence::of_a_desk();
   const Intruder intruder;
   Slam slam(sequence.camera, settings, std::move(segmenter));
@@ -90,7 +90,7 @@ Result run(const Settings& settings, std::unique_ptr<Segmenter> segmenter) {
   return result;
 }
 
-Settings small_settings(SegmentationPace pace) {
+Settings dynamic_settings(SegmentationPace pace) {
   Settings settings;
   settings.features.keypoints = 500;
   settings.segmentation.pace = pace;
@@ -100,31 +100,31 @@ Settings small_settings(SegmentationPace pace) {
 
 TEST(DynamicScene, NoKeypointLiesOnWhatMoves) {
   const Result result =
-      run(small_settings(SegmentationPace::every_frame), std::make_unique<BoardSegmenter>(0));
+      run_dynamic(dynamic_settings(SegmentationPace::every_frame), std::make_unique<BoardSegmenter>(0));
   EXPECT_EQ(result.on_board, 0) << "the strips at the sides are refined away too";
   EXPECT_EQ(result.ok, kFrames);
   EXPECT_LT(result.worst_error, 0.02);
 }
 
 TEST(DynamicScene, MasksMakeTheDifference) {
-  const Settings settings = small_settings(SegmentationPace::every_frame);
-  const double with = run(settings, std::make_unique<BoardSegmenter>(0)).worst_error;
-  const double without = run(settings, nullptr).worst_error;
+  const Settings settings = dynamic_settings(SegmentationPace::every_frame);
+  const double with = run_dynamic(settings, std::make_unique<BoardSegmenter>(0)).worst_error;
+  const double without = run_dynamic(settings, nullptr).worst_error;
   EXPECT_LT(3 * with, without);
 }
 
 TEST(DynamicScene, LateMasksKeepTheirWorth) {
   const Result result =
-      run(small_settings(SegmentationPace::asynchronous), std::make_unique<BoardSegmenter>(0));
+      run_dynamic(dynamic_settings(SegmentationPace::asynchronous), std::make_unique<BoardSegmenter>(0));
   EXPECT_EQ(result.ok, kFrames);
   EXPECT_LT(result.worst_error, 0.02);
 }
 
 TEST(DynamicScene, ThePaceOfTheSegmenterChangesNoByte) {
   for (const auto pace : {SegmentationPace::every_frame, SegmentationPace::asynchronous}) {
-    const Settings settings = small_settings(pace);
-    EXPECT_TRUE(same_bytes(run(settings, std::make_unique<BoardSegmenter>(0)).trajectory,
-                           run(settings, std::make_unique<BoardSegmenter>(12)).trajectory));
+    const Settings settings = dynamic_settings(pace);
+    EXPECT_TRUE(same_bytes(run_dynamic(settings, std::make_unique<BoardSegmenter>(0)).trajectory,
+                           run_dynamic(settings, std::make_unique<BoardSegmenter>(12)).trajectory));
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 using test::same_bytes;
 using test::TestSequence;
 
-Settings small_settings() {
+Settings getter_settings() {
   Settings settings;
   settings.features.keypoints = 500;
   return settings;
@@ -23,9 +23,9 @@ struct Answers {
   int mapped = 0;
 };
 
-Answers run(bool ask) {
+Answers run_asking(bool ask) {
   const TestSequence& sequence = TestSequence::of_a_desk();
-  Slam slam(sequence.camera, small_settings());
+  Slam slam(sequence.camera, getter_settings());
   Answers result;
   for (int i = 0; i < 80; ++i) {
     const TrackingResult tracked = slam.track(sequence.frames[i].image);
@@ -45,7 +45,7 @@ Answers run(bool ask) {
 }
 
 TEST(SlamGetters, AskingOnEveryFrameChangesNoByte) {
-  const Answers silent = run(false), asked = run(true);
+  const Answers silent = run_asking(false), asked = run_asking(true);
   EXPECT_TRUE(same_bytes(silent.told, asked.told));
   EXPECT_TRUE(same_bytes(silent.trajectory, asked.trajectory));
   EXPECT_EQ(silent.mapped, asked.mapped);
@@ -53,7 +53,7 @@ TEST(SlamGetters, AskingOnEveryFrameChangesNoByte) {
 }
 
 TEST(SlamGetters, BeforeTheFirstFrameThereIsNothing) {
-  const Slam slam(TestSequence::of_a_desk().camera, small_settings());
+  const Slam slam(TestSequence::of_a_desk().camera, getter_settings());
   EXPECT_TRUE(slam.trajectory().empty());
   EXPECT_TRUE(slam.keyframe_trajectory().empty());
   EXPECT_TRUE(slam.landmark_positions().empty());
@@ -63,7 +63,7 @@ TEST(SlamGetters, BeforeTheFirstFrameThereIsNothing) {
 
 TEST(SlamTimes, AFrameReportsItsOwnStagesOnly) {
   const TestSequence& sequence = TestSequence::of_a_desk();
-  Slam slam(sequence.camera, small_settings());
+  Slam slam(sequence.camera, getter_settings());
   for (int i = 0; i < 20; ++i) {
     RgbdImage image = sequence.frames[i].image;
     if (i >= 10 && i < 14) image.colour = cv::Mat(image.colour.size(), CV_8UC3, cv::Scalar::all(0));

@@ -39,7 +39,7 @@ std::filesystem::path mapped(const TestFolder& folder) {
 }
 
 /// Distance of a result from the truth [m]; the map's world is the camera at place 0.
-double error_of(const TrackingResult& result, int place) {
+double session_error(const TrackingResult& result, int place) {
   const auto& truth = TestSequence::of_a_room().frames;
   const Pose expected = truth[0].world_from_cam.inverse() * truth[place].world_from_cam;
   return (expected.translation - result.cam_from_world->inverse().translation).norm();
@@ -55,7 +55,7 @@ TEST(MapSession, LocalisesInALoadedMapAndLeavesItAsItIs) {
     const TrackingResult result = walk.see(place);
     ASSERT_EQ(result.status, TrackingStatus::ok) << "from the first frame on: " << place;
     EXPECT_FALSE(result.is_keyframe);
-    worst = std::max(worst, error_of(result, place));
+    worst = std::max(worst, session_error(result, place));
   }
   EXPECT_LT(worst, 0.03) << "as well as in memory";
   EXPECT_TRUE(walk.slam.trajectory().empty()) << "bounded memory: poses are not kept";
@@ -70,7 +70,7 @@ TEST(MapSession, LocalisationGoesThroughPlacesThatTheMapDoesNotHave) {
   walk.go(60, 100);  // 20 places beyond the map
   walk.go(100, 60);
   EXPECT_EQ(walk.results.back().status, TrackingStatus::ok);
-  EXPECT_LT(error_of(walk.results.back(), 60), 0.03);
+  EXPECT_LT(session_error(walk.results.back(), 60), 0.03);
   EXPECT_GE(walk.count(TrackingStatus::ok), 50);
 }
 

@@ -23,7 +23,7 @@ TEST(RenamedSettings, LeadFromNamesThatAreGoneToNamesOfToday) {
   }
 }
 
-std::string error_of(const auto& change) {
+std::string error_of_renamed(const auto& change) {
   Settings settings;
   try {
     change(settings);
@@ -40,11 +40,11 @@ TEST(RenamedSettings, TheOldNameIsRefusedWithTheNewOne) {
         fmt::format("{}:\n  {}: 1\n", renamed.before.substr(0, dot), renamed.before.substr(dot + 1));
     const std::string expected = fmt::format("'{}' is now called '{}'", renamed.before, renamed.now);
 
-    const std::string in_file = error_of([&](Settings& s) { parse_settings(yaml, "old.yaml", s); });
+    const std::string in_file = error_of_renamed([&](Settings& s) { parse_settings(yaml, "old.yaml", s); });
     EXPECT_EQ(in_file.find("old.yaml:2: "), 0U) << in_file;
     EXPECT_NE(in_file.find(expected), std::string::npos) << in_file;
     const std::string set =
-        error_of([&](Settings& s) { apply_setting(fmt::format("{}=1", renamed.before), s); });
+        error_of_renamed([&](Settings& s) { apply_setting(fmt::format("{}=1", renamed.before), s); });
     EXPECT_NE(set.find(expected), std::string::npos) << set;
   }
 }

@@ -14,7 +14,7 @@
 namespace stdc {
 namespace {
 
-double overlap(const cv::Mat& a, const cv::Mat& b) {
+double mask_overlap(const cv::Mat& a, const cv::Mat& b) {
   return static_cast<double>(cv::countNonZero(a & b)) / cv::countNonZero(a | b);
 }
 
@@ -54,8 +54,8 @@ TEST_F(RenderedMasks, RefinementCompletesASettledMask) {
   cv::erode(frame.mask, eroded, cv::Mat(), {-1, -1}, 6);
   const cv::Mat settled = settle_by_depth(eroded, frame.image.depth, units());
   const cv::Mat refined = refine(settled, frame.image.depth, units());
-  EXPECT_GT(overlap(refined, frame.mask), overlap(eroded, frame.mask) + 0.05);
-  EXPECT_GT(overlap(refined, frame.mask), 0.93);
+  EXPECT_GT(mask_overlap(refined, frame.mask), mask_overlap(eroded, frame.mask) + 0.05);
+  EXPECT_GT(mask_overlap(refined, frame.mask), 0.93);
 }
 
 TEST_F(RenderedMasks, PropagationFollowsThePeople) {
@@ -67,10 +67,11 @@ TEST_F(RenderedMasks, PropagationFollowsThePeople) {
     propagator.add_frame(i, grey, frame.image.depth);
     if (i == 0) propagator.set_mask(0, frame.mask);
     carried = propagator.mask();
-    EXPECT_GT(overlap(carried, frame.mask), 0.93) << i;
+    EXPECT_GT(mask_overlap(carried, frame.mask), 0.93) << i;
   }
   // The camera turns quickly here: the mask where it was is of little use.
-  EXPECT_GT(overlap(carried, frames().back().mask), overlap(frames()[0].mask, frames().back().mask) + 0.1);
+  EXPECT_GT(mask_overlap(carried, frames().back().mask),
+            mask_overlap(frames()[0].mask, frames().back().mask) + 0.1);
 }
 
 }  // namespace

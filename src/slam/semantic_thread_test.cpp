@@ -73,8 +73,8 @@ class FakeSegmenter : public Segmenter {
 
 cv::Mat same(int, cv::Mat mask) { return mask; }
 
-std::vector<DynamicMask> run(const SegmentationSettings& settings, int frames,
-                             FakeSegmenter::Change change = same, int milliseconds = 0) {
+std::vector<DynamicMask> run_masks(const SegmentationSettings& settings, int frames,
+                                   FakeSegmenter::Change change = same, int milliseconds = 0) {
   SemanticThread thread(camera(), settings, {}, {}, std::make_unique<FakeSegmenter>(change, milliseconds));
   std::vector<DynamicMask> masks;
   for (int frame = 0; frame < frames; ++frame) {
@@ -91,7 +91,7 @@ double overlap(const cv::Mat& a, const cv::Mat& b) {
 }
 
 TEST(SemanticThread, EveryFrameGetsItsOwnMask) {
-  const auto masks = run({.pace = SegmentationPace::every_frame}, 4);
+  const auto masks = run_masks({.pace = SegmentationPace::every_frame}, 4);
   for (int frame = 0; frame < 4; ++frame) {
     const DynamicMask& mask = masks[static_cast<std::size_t>(frame)];
     EXPECT_EQ(mask.report.mask_age, 0);
@@ -107,15 +107,15 @@ TEST(SemanticThread, RefinesWhatTheSegmenterMissed) {
     mask(cv::Rect(box.x, box.y, 6, box.height)) = 0;
     return mask;
   };
-  const auto refined = run({.pace = SegmentationPace::every_frame}, 1, halved);
+  const auto refined = run_masks({.pace = SegmentationPace::every_frame}, 1, halved);
   EXPECT_EQ(cv::countNonZero(refined[0].mask != Scene::truth(0)), 0);
-  const auto raw = run({.pace = SegmentationPace::every_frame, .refinement = false}, 1, halved);
+  const auto raw = run_masks({.pace = SegmentationPace::every_frame, .refinement = false}, 1, halved);
   EXPECT_EQ(cv::countNonZero(raw[0].mask), 34 * 60);
 }
 
 TEST(SemanticThread, AMissingMaskIsCarriedFromTheFrameBefore) {
   const auto gaps = [](int frame, cv::Mat mask) { return frame % 3 == 1 ? cv::Mat() : mask; };
-  const auto masks = run({.pace = SegmentationPace::every_frame}, 6, gaps);
+  const auto masks = run_masks({.pace = SegmentationPace::every_frame}, 6, gaps);
   for (int frame = 0; frame < 6; ++frame) {
     const DynamicMask& mask = masks[static_cast<std::size_t>(frame)];
     EXPECT_EQ(mask.report.mask_age, frame % 3 == 1 ? 1 : 0);
@@ -124,7 +124,7 @@ TEST(SemanticThread, AMissingMaskIsCarriedFromTheFrameBefore) {
 }
 
 TEST(SemanticThread, AsynchronousMasksHaveTheAgesThatFrameCountsSay) {
-  const auto masks = run({.pace = SegmentationPace::asynchronous, .latency = 3}, 11);
+  const auto masks = run_masks({.pace = SegmentationPace::asynchronous, .latency = 3}, 11);
   const std::vector<int> ages{0, 1, 2, 3, 3, 4, 5, 3, 4, 5, 3};
   for (std::size_t i = 0; i < ages.size(); ++i) {
     EXPECT_EQ(masks[i].report.mask_age, ages[i]) << i;
@@ -134,7 +134,7 @@ TEST(SemanticThread, AsynchronousMasksHaveTheAgesThatFrameCountsSay) {
 
 TEST(SemanticThread, SlownessChangesNothing) {
   const SegmentationSettings settings{.pace = SegmentationPace::asynchronous, .latency = 2};
-  const auto fast = run(settings, 8), slow = run(settings, 8, same, 15);
+  const auto fast = run_masks(settings, 8), slow = run_masks(settings, 8, same, 15);
   for (std::size_t i = 0; i < fast.size(); ++i) {
     EXPECT_EQ(fast[i].report.mask_age, slow[i].report.mask_age);
     EXPECT_EQ(cv::countNonZero(fast[i].mask != slow[i].mask), 0) << i;
@@ -146,7 +146,7 @@ TEST(SemanticThread, AFaultIsReportedAndSurvived) {
     if (frame == 2) throw Error("mask.png", "it is truncated", "make it again");
     return mask;
   };
-  const auto masks = run({.pace = SegmentationPace::every_frame}, 4, fault);
+  const auto masks = run_masks({.pace = SegmentationPace::every_frame}, 4, fault);
   EXPECT_EQ(masks[2].report.mask_age, 1);
   EXPECT_NE(masks[2].report.problem.find("mask.png"), std::string::npos);
   EXPECT_FALSE(masks[2].mask.empty());
@@ -157,7 +157,7 @@ TEST(SemanticThread, AFaultIsReportedAndSurvived) {
 TEST(SemanticThread, WithoutAnyMaskNothingIsDynamic) {
   const auto none = [](int, cv::Mat) { return cv::Mat(); };
   for (const auto pace : {SegmentationPace::every_frame, SegmentationPace::asynchronous}) {
-    for (const DynamicMask& mask : run({.pace = pace}, 5, none)) {
+    for (const DynamicMask& mask : run_masks({.pace = pace}, 5, none)) {
       EXPECT_EQ(mask.report.mask_age, -1);
       EXPECT_TRUE(mask.mask.empty());
     }
@@ -180,7 +180,7 @@ TEST(SemanticThread, ADepthImageMayBeMissing) {
 std::vector<int> frames_segmented(const SegmentationSettings& settings, int frames, int first,
                                   std::vector<DynamicMask>* masks = nullptr) {
   std::vector<int> seen;
-  const auto found = run(settings, frames, [&](int frame, cv::Mat mask) {
+  const auto found = run_masks(settings, frames, [&](int frame, cv::Mat mask) {
     seen.push_back(frame);
     if (frame < first) mask = 0;
     return mask;

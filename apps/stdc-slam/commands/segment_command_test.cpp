@@ -29,14 +29,14 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-struct Outcome {
+struct Segmented {
   int code = -1;
   std::string out, err;
 };
 
 class SegmentCommand : public ::testing::Test {
  protected:
-  Outcome call(const std::string& arguments, const std::string& weights = STDC_TEST_WEIGHTS) const {
+  Segmented call(const std::string& arguments, const std::string& weights = STDC_TEST_WEIGHTS) const {
     const std::string command = fmt::format("cd {} && {} segment {} --weights {} > .out 2> .err",
                                             folder_.path().string(), STDC_PROGRAM, arguments, weights);
     const int status = std::system(command.c_str());
@@ -53,7 +53,7 @@ class SegmentCommand : public ::testing::Test {
   }
   cv::Mat mask(const std::string& name) const { return load_segment_image(folder_ / name).colour; }
   void expect_refusal(const std::string& arguments, const std::string& part) const {
-    const Outcome outcome = call(arguments);
+    const Segmented outcome = call(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, part)) << outcome.err << "has no\n" << part;
@@ -65,7 +65,7 @@ class SegmentCommand : public ::testing::Test {
 
 TEST_F(SegmentCommand, WritesMasksOverlaysAndTimes) {
   make_images();
-  const Outcome outcome = call("in --output o --size 96x64");
+  const Segmented outcome = call("in --output o --size 96x64");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "images      3\n")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "STDC1-Seg"));
@@ -86,7 +86,7 @@ TEST_F(SegmentCommand, WritesMasksOverlaysAndTimes) {
 TEST_F(SegmentCommand, ScoresAgainstMasksAndLabels) {
   make_images();
   ASSERT_EQ(call("in --output o --size 96x64").code, 0);
-  const Outcome same = call("in --output again --size 96x64 --score o");
+  const Segmented same = call("in --output again --size 96x64 --score o");
   ASSERT_EQ(same.code, 0) << same.err;
   EXPECT_TRUE(contains(same.out, "scored      3 images")) << same.out;
   EXPECT_TRUE(contains(same.out, "all pixels  100.0 %")) << same.out;
@@ -94,7 +94,7 @@ TEST_F(SegmentCommand, ScoresAgainstMasksAndLabels) {
   cv::Mat labels(160, 120, CV_8UC1, cv::Scalar(1));
   labels.rowRange(0, 80) = 255;  // in doubt: counts nowhere
   folder_.write("labels/2.png", encode_png(labels));
-  const Outcome doubtful = call("in --output labelled --size 96x64 --score labels --truth labels");
+  const Segmented doubtful = call("in --output labelled --size 96x64 --score labels --truth labels");
   ASSERT_EQ(doubtful.code, 0) << doubtful.err;
   EXPECT_TRUE(contains(doubtful.out, "scored      1 images")) << doubtful.out;
   const double found = cv::countNonZero(mask("o/2.png").rowRange(80, 160));
@@ -124,7 +124,7 @@ TEST_F(SegmentCommand, HonoursTheOrientationOfPhotos) {
   EXPECT_EQ(mask("o/9.png").size(), image.size());
   EXPECT_EQ(mask("o/9-overlay.jpg").size(), cv::Size(160, 120));
   // Quarter turns tell stored from upright masks.
-  const Outcome scored = call("in --frames 4:8 --output scored --size 96x64 --score upright");
+  const Segmented scored = call("in --frames 4:8 --output scored --size 96x64 --score upright");
   ASSERT_EQ(scored.code, 0) << scored.err;
   EXPECT_TRUE(contains(scored.out, "all pixels  100.0 %")) << scored.out;
 }
@@ -138,7 +138,7 @@ TEST_F(SegmentCommand, TurnsTheImagesOfATurnedCamera) {
   folder_.write("c.yaml",
                 std::string("width: 160\nheight: 120\nfx: 99\nfy: 99\ncx: 80\ncy: 60\nrotation: 270\n"));
   ASSERT_EQ(call("upright.png --output o --size 96x64").code, 0);
-  const Outcome turned = call("turned.png --camera c.yaml --output t --size 96x64");
+  const Segmented turned = call("turned.png --camera c.yaml --output t --size 96x64");
   ASSERT_EQ(turned.code, 0) << turned.err;
   const cv::Mat expected = from_upright(mask("o/upright.png"), Orientation::rotate_270);
   EXPECT_EQ(cv::norm(mask("t/turned.png"), expected, cv::NORM_INF), 0);
@@ -156,7 +156,7 @@ TEST_F(SegmentCommand, ScoresMasksOfAnotherSize) {
   cv::Mat half(image.rows / 2, image.cols / 2, CV_8UC1, cv::Scalar(0));
   half.colRange(0, 30).setTo(255);
   folder_.write("half/a.png", encode_png(half));
-  const Outcome scored = call("in --output scored --size 96x64 --score half");
+  const Segmented scored = call("in --output scored --size 96x64 --score half");
   ASSERT_EQ(scored.code, 0) << scored.err;
   EXPECT_TRUE(contains(scored.out, "scored      1 images")) << scored.out;
   folder_.write("wide/a.png", encode_png(cv::Mat(40, 90, CV_8UC1, cv::Scalar(0))));
@@ -167,7 +167,7 @@ TEST_F(SegmentCommand, ScoresMasksOfAnotherSize) {
 TEST_F(SegmentCommand, TellsSeveralClassesApart) {
   make_images();
   const std::string weights = STDC_TEST_FOUR_CLASSES;
-  const Outcome all = call("in --output o --size 96x64 --classes", weights);
+  const Segmented all = call("in --output o --size 96x64 --classes", weights);
   ASSERT_EQ(all.code, 0) << all.err;
   const cv::Mat classes = mask("o/1-classes.png"), found = mask("o/1.png");
   EXPECT_EQ(cv::countNonZero((classes != 0) != (found != 0)), 0);
@@ -175,13 +175,13 @@ TEST_F(SegmentCommand, TellsSeveralClassesApart) {
   EXPECT_TRUE(contains(table, "boundary_f,share_person,share_animal,share_vehicle\n")) << table;
   EXPECT_TRUE(contains(all.out, "  animal    ")) << all.out;
 
-  const Outcome one = call("in --output animals --size 96x64 --dynamic animal,person", weights);
+  const Segmented one = call("in --output animals --size 96x64 --dynamic animal,person", weights);
   ASSERT_EQ(one.code, 0) << one.err;
   const cv::Mat both = mask("animals/1.png");
   EXPECT_EQ(cv::countNonZero(((classes == 1) | (classes == 2)) != (both != 0)), 0);
   EXPECT_TRUE(contains(content(folder_ / "animals/segments.csv"), ",share_person,share_animal\n"));
   EXPECT_FALSE(fs::exists(folder_ / "animals/1-classes.png"));
-  const Outcome unknown = call("in --output none --size 96x64 --dynamic cat", weights);
+  const Segmented unknown = call("in --output none --size 96x64 --dynamic cat", weights);
   EXPECT_EQ(unknown.code, 2);
   EXPECT_TRUE(contains(unknown.err, "knows no class 'cat'; choose from background, person, animal, vehicle"))
       << unknown.err;

@@ -17,7 +17,7 @@ cv::Scalar colour(std::size_t number) {
   return {bgr[0], bgr[1], bgr[2]};
 }
 
-void tint(cv::Mat& picture, const cv::Mat& mask, const cv::Scalar& with) {
+void tint_class(cv::Mat& picture, const cv::Mat& mask, const cv::Scalar& with) {
   cv::Mat tinted;
   cv::addWeighted(picture, 0.5, cv::Mat(picture.size(), CV_8UC3, with), 0.5, 0, tinted);
   tinted.copyTo(picture, mask);
@@ -41,7 +41,7 @@ void draw_outline(cv::Mat& picture, const cv::Mat& mask) {
 
 cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask) {
   cv::Mat picture = as_colour(image);
-  tint(picture, mask, colour(0));
+  tint_class(picture, mask, colour(0));
   draw_outline(picture, mask);
   return picture;
 }
@@ -51,7 +51,7 @@ cv::Mat draw_overlay(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& c
   cv::Mat picture = as_colour(image);
   std::size_t number = 0;
   for (std::size_t k = 0; k < dynamic.size(); ++k) {
-    if (dynamic[k]) tint(picture, classes == static_cast<double>(k), colour(number++));
+    if (dynamic[k]) tint_class(picture, classes == static_cast<double>(k), colour(number++));
   }
   draw_outline(picture, mask);
   return picture;

@@ -12,7 +12,7 @@ namespace {
 constexpr int kWidth = 1600, kHeight = 1200;                        // of the finished picture [px]
 constexpr int kLeft = 110, kRight = 300, kTop = 80, kBottom = 100;  // margins [px]
 constexpr int kFactor = 2;                                          // drawn so many times larger
-constexpr int kShift = 4;                                           // fraction bits of coordinates
+constexpr int kPlotShift = 4;                                       // fraction bits of coordinates
 const cv::Scalar kInk(50, 50, 50), kGrid(225, 225, 225), kPaper(255, 255, 255);
 
 /// The largest of 1, 2, 5 times a power of ten that gives at least five steps over `range`.
@@ -44,7 +44,7 @@ Plot::Plot(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const std::s
 }
 
 cv::Point Plot::to_pixel(const Eigen::Vector2d& position) const {
-  const double one = 1 << kShift;
+  const double one = 1 << kPlotShift;
   const double x = area_.x + 0.5 * area_.width + pixels_per_metre_ * (position.x() - centre_.x());
   const double y = area_.y + 0.5 * area_.height - pixels_per_metre_ * (position.y() - centre_.y());
   // Far points are kept from overflowing OpenCV's integers; they are outside the area all the same.
@@ -53,13 +53,13 @@ cv::Point Plot::to_pixel(const Eigen::Vector2d& position) const {
 }
 
 void Plot::dot(const Eigen::Vector2d& position, double radius, const cv::Scalar& colour) {
-  cv::circle(canvas_, to_pixel(position), cvRound(radius * kFactor * (1 << kShift)), colour, cv::FILLED,
-             cv::LINE_AA, kShift);
+  cv::circle(canvas_, to_pixel(position), cvRound(radius * kFactor * (1 << kPlotShift)), colour, cv::FILLED,
+             cv::LINE_AA, kPlotShift);
 }
 
 void Plot::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
                 const cv::Scalar& colour) {
-  cv::line(canvas_, to_pixel(from), to_pixel(to), colour, scaled(width), cv::LINE_AA, kShift);
+  cv::line(canvas_, to_pixel(from), to_pixel(to), colour, scaled(width), cv::LINE_AA, kPlotShift);
 }
 
 void Plot::text(const std::string& words, cv::Point position, double size, double anchor_x) {

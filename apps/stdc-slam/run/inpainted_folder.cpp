@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-TumTarget target(const fs::path& folder, const SequenceInput& input) {
+TumTarget inpainted_target(const fs::path& folder, const SequenceInput& input) {
   std::error_code problem;
   if (fs::equivalent(folder, input.source().where(), problem)) {
     throw Error(folder.string(), "is the folder of the sequence itself", "give another --inpaint folder");
@@ -34,7 +34,7 @@ void write_truth(const SequenceInput& input, TumWriter& writer) {
 }
 
 InpaintedFolder::InpaintedFolder(const fs::path& folder, const SequenceInput& input)
-    : input_(input), writer_(target(folder, input)) {}
+    : input_(input), writer_(inpainted_target(folder, input)) {}
 
 void InpaintedFolder::write(double timestamp, double depth_timestamp, const InpaintedFrame& frame) {
   writer_.write_image("rgb", timestamp, frame.colour);

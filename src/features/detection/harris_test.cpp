@@ -10,7 +10,7 @@
 namespace stdc {
 namespace {
 
-double brute_force(const ImageView& image, int x, int y) {
+double brute_force_harris(const ImageView& image, int x, int y) {
   double xx = 0, yy = 0, xy = 0;
   constexpr int kSmooth[3] = {1, 2, 1};
   for (int v = y - 3; v <= y + 3; ++v) {
@@ -34,7 +34,7 @@ TEST(Harris, IsTheDefinition) {
     test::on_every_target([&] {
       for (int y = 4; y < image.height() - 4; y += 3) {
         for (int x = 4; x < image.width() - 4; ++x) {
-          const double expected = brute_force(image.view(), x, y);
+          const double expected = brute_force_harris(image.view(), x, y);
           ASSERT_NEAR(harris_response(image.view(), x, y), expected, 1e-6 * std::abs(expected) + 1e-3);
         }
       }
@@ -56,7 +56,7 @@ TEST(Harris, DoesNotOverflow) {
   for (int x = 0; x < 20; ++x) grey.col(x) = x % 4 < 2 ? 0 : 255;
   const PaddedImage image = test::padded(grey);
   test::on_every_target([&] {
-    const double expected = brute_force(image.view(), 9, 9);
+    const double expected = brute_force_harris(image.view(), 9, 9);
     EXPECT_NEAR(harris_response(image.view(), 9, 9), expected, 1e-6 * std::abs(expected));
   });
 }

@@ -13,22 +13,22 @@
 namespace stdc {
 namespace {
 
-const FeatureSettings kImproved{.selection = Selection::improved};
-const FeatureSettings kClassic{.selection = Selection::orb_slam3};
+const FeatureSettings kImprovedPyramid{.selection = Selection::improved};
+const FeatureSettings kClassicPyramid{.selection = Selection::orb_slam3};
 
 TEST(Pyramid, LevelCountIsEquation2) {
-  EXPECT_EQ(level_count(kImproved, {640, 480}), 6);
-  EXPECT_EQ(level_count(kImproved, {480, 650}), 7);
-  EXPECT_EQ(level_count(kImproved, {1920, 1080}), 19);
-  EXPECT_EQ(level_count(kImproved, {64, 49}), 1);
-  EXPECT_EQ(level_count(kImproved, {10, 10}), 1);
-  EXPECT_EQ(level_count(kClassic, {640, 480}), 8);
+  EXPECT_EQ(level_count(kImprovedPyramid, {640, 480}), 6);
+  EXPECT_EQ(level_count(kImprovedPyramid, {480, 650}), 7);
+  EXPECT_EQ(level_count(kImprovedPyramid, {1920, 1080}), 19);
+  EXPECT_EQ(level_count(kImprovedPyramid, {64, 49}), 1);
+  EXPECT_EQ(level_count(kImprovedPyramid, {10, 10}), 1);
+  EXPECT_EQ(level_count(kClassicPyramid, {640, 480}), 8);
   EXPECT_EQ(level_count({.selection = Selection::orb_slam3, .levels = 3}, {640, 480}), 3);
 }
 
 TEST(Pyramid, BudgetsOfTheImprovedSelectionFollowEquation5) {
-  const std::vector<cv::Size> sizes = level_sizes(kImproved, {640, 480});
-  const std::vector<int> budgets = level_budgets(kImproved, sizes);
+  const std::vector<cv::Size> sizes = level_sizes(kImprovedPyramid, {640, 480});
+  const std::vector<int> budgets = level_budgets(kImprovedPyramid, sizes);
   ASSERT_EQ(budgets.size(), 6U);
   const double s2 = 1 / 1.44;
   for (int i = 0; i < 6; ++i) {
@@ -38,7 +38,7 @@ TEST(Pyramid, BudgetsOfTheImprovedSelectionFollowEquation5) {
 }
 
 TEST(Pyramid, BudgetsOfTheClassicSelectionFollowTheScale) {
-  const std::vector<int> budgets = level_budgets(kClassic, level_sizes(kClassic, {640, 480}));
+  const std::vector<int> budgets = level_budgets(kClassicPyramid, level_sizes(kClassicPyramid, {640, 480}));
   ASSERT_EQ(budgets.size(), 8U);
   for (std::size_t i = 1; i < 8; ++i) EXPECT_NEAR(budgets[i], budgets[i - 1] / 1.2, 1.5) << i;
 }

@@ -10,7 +10,7 @@
 namespace stdc {
 namespace {
 
-constexpr Cell kArea{16, 16, 16 + 128, 16 + 96};
+constexpr Cell kAreaTree{16, 16, 16 + 128, 16 + 96};
 constexpr auto kHigh = KeypointQuality::high;
 constexpr auto kLow = KeypointQuality::low;
 
@@ -23,8 +23,8 @@ std::vector<Candidate> random_candidates(int count, double high_share, std::uint
   std::set<std::pair<int, int>> places;
   while (static_cast<int>(places.size()) < count) {
     // Crowded towards the top left.
-    places.insert({kArea.top + static_cast<int>(96 * random.uniform() * random.uniform()),
-                   kArea.left + static_cast<int>(128 * random.uniform() * random.uniform())});
+    places.insert({kAreaTree.top + static_cast<int>(96 * random.uniform() * random.uniform()),
+                   kAreaTree.left + static_cast<int>(128 * random.uniform() * random.uniform())});
   }
   std::vector<Candidate> candidates;
   for (const auto& [y, x] : places) {
@@ -41,10 +41,10 @@ bool contains(const Cell& cell, const Candidate& c) {
 
 TEST(Quadtree, NothingGivesNothing) {
   Quadtree tree;
-  EXPECT_TRUE(tree.select({}, kArea, 10, Selection::improved).empty());
+  EXPECT_TRUE(tree.select({}, kAreaTree, 10, Selection::improved).empty());
   const std::vector<Candidate> one{candidate(20, 20, kLow, 1)};
-  EXPECT_TRUE(tree.select(one, kArea, 0, Selection::improved).empty());
-  EXPECT_EQ(tree.select(one, kArea, 1, Selection::improved), std::vector{0});
+  EXPECT_TRUE(tree.select(one, kAreaTree, 0, Selection::improved).empty());
+  EXPECT_EQ(tree.select(one, kAreaTree, 1, Selection::improved), std::vector{0});
   ASSERT_EQ(tree.cells().size(), 1U);
 }
 
@@ -53,8 +53,8 @@ TEST(Quadtree, ANodeOfLowPointsIsNotSplit) {
   const std::vector<Candidate> candidates{candidate(20, 20, kLow, 1), candidate(60, 20, kLow, 4),
                                           candidate(20, 50, kLow, 2), candidate(60, 50, kLow, 3)};
   Quadtree tree;
-  EXPECT_EQ(tree.select(candidates, kArea, 100, Selection::improved), std::vector{1});
-  EXPECT_EQ(tree.select(candidates, kArea, 100, Selection::orb_slam3), (std::vector{0, 1, 2, 3}));
+  EXPECT_EQ(tree.select(candidates, kAreaTree, 100, Selection::improved), std::vector{1});
+  EXPECT_EQ(tree.select(candidates, kAreaTree, 100, Selection::orb_slam3), (std::vector{0, 1, 2, 3}));
 }
 
 TEST(Quadtree, OneHighPointSplitsANode) {
@@ -62,7 +62,7 @@ TEST(Quadtree, OneHighPointSplitsANode) {
   const std::vector<Candidate> candidates{candidate(20, 20, kLow, 1), candidate(60, 20, kHigh, 4),
                                           candidate(20, 50, kLow, 2), candidate(60, 50, kLow, 3)};
   Quadtree tree;
-  EXPECT_EQ(tree.select(candidates, kArea, 100, Selection::improved), (std::vector{0, 1, 2, 3}));
+  EXPECT_EQ(tree.select(candidates, kAreaTree, 100, Selection::improved), (std::vector{0, 1, 2, 3}));
 }
 
 TEST(Quadtree, AHighPointIsSetApartFromItsLowNeighbours) {
@@ -70,14 +70,14 @@ TEST(Quadtree, AHighPointIsSetApartFromItsLowNeighbours) {
   const std::vector<Candidate> candidates{candidate(17, 16, kHigh, 1), candidate(60, 50, kLow, 3),
                                           candidate(62, 52, kLow, 2)};
   Quadtree tree;
-  EXPECT_EQ(tree.select(candidates, kArea, 100, Selection::improved), (std::vector{0, 1}));
+  EXPECT_EQ(tree.select(candidates, kAreaTree, 100, Selection::improved), (std::vector{0, 1}));
 }
 
 TEST(Quadtree, LargestResponseWinsAndTheFirstOfEquals) {
   const std::vector<Candidate> candidates{candidate(20, 20, kLow, 2), candidate(21, 20, kLow, 5),
                                           candidate(30, 30, kLow, 5), candidate(40, 40, kLow, 1)};
   Quadtree tree;
-  EXPECT_EQ(tree.select(candidates, kArea, 100, Selection::improved), std::vector{1});
+  EXPECT_EQ(tree.select(candidates, kAreaTree, 100, Selection::improved), std::vector{1});
 }
 
 TEST(Quadtree, SeparatesNeighbouringPixels) {
@@ -87,7 +87,7 @@ TEST(Quadtree, SeparatesNeighbouringPixels) {
   }
   Quadtree tree;
   for (const Selection selection : {Selection::improved, Selection::orb_slam3}) {
-    EXPECT_EQ(tree.select(candidates, kArea, 1000, selection).size(), candidates.size());
+    EXPECT_EQ(tree.select(candidates, kAreaTree, 1000, selection).size(), candidates.size());
   }
 }
 
@@ -96,7 +96,7 @@ TEST(Quadtree, StopsAtTheBudget) {
   for (const Selection selection : {Selection::improved, Selection::orb_slam3}) {
     for (const int budget : {1, 2, 3, 4, 5, 17, 50, 99, 100, 150, 299}) {
       const std::vector<Candidate> candidates = random_candidates(300, 1.0, 7);
-      const std::vector<int> winners = tree.select(candidates, kArea, budget, selection);
+      const std::vector<int> winners = tree.select(candidates, kAreaTree, budget, selection);
       EXPECT_EQ(static_cast<int>(winners.size()), budget);
       EXPECT_TRUE(std::is_sorted(winners.begin(), winners.end()));
       EXPECT_EQ(std::set<int>(winners.begin(), winners.end()).size(), winners.size());
@@ -108,7 +108,7 @@ TEST(Quadtree, AWinnerIsTheBestOfItsCell) {
   Quadtree tree;
   for (const Selection selection : {Selection::improved, Selection::orb_slam3}) {
     const std::vector<Candidate> candidates = random_candidates(400, 0.3, 21);
-    const std::vector<int> winners = tree.select(candidates, kArea, 120, selection);
+    const std::vector<int> winners = tree.select(candidates, kAreaTree, 120, selection);
     ASSERT_EQ(tree.cells().size(), winners.size());
     for (std::size_t i = 0; i < winners.size(); ++i) {
       const Candidate& winner = candidates[static_cast<std::size_t>(winners[i])];
@@ -135,14 +135,14 @@ TEST(Quadtree, CrowdedNodesAreSplitFirst) {
   candidates.push_back(candidate(140, 20, kHigh, 2));
   candidates.push_back(candidate(141, 60, kHigh, 3));
   Quadtree tree;
-  EXPECT_EQ(tree.select(candidates, kArea, 4, Selection::improved), (std::vector{1, 2, 3, 4}));
+  EXPECT_EQ(tree.select(candidates, kAreaTree, 4, Selection::improved), (std::vector{1, 2, 3, 4}));
 }
 
 TEST(Quadtree, ImprovedKeepsMoreHighPointsThanClassic) {
   Quadtree tree;
   const std::vector<Candidate> candidates = random_candidates(500, 0.3, 5);
   const auto high = [&](Selection selection) {
-    const std::vector<int>& winners = tree.select(candidates, kArea, 150, selection);
+    const std::vector<int>& winners = tree.select(candidates, kAreaTree, 150, selection);
     return std::count_if(winners.begin(), winners.end(),
                          [&](int i) { return candidates[static_cast<std::size_t>(i)].quality == kHigh; });
   };

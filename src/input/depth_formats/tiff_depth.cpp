@@ -37,7 +37,7 @@ struct Memory {
 
 Memory& memory_of(thandle_t handle) { return *static_cast<Memory*>(handle); }
 
-tmsize_t read_memory(thandle_t handle, void* to, tmsize_t count) {
+tmsize_t tiff_read_memory(thandle_t handle, void* to, tmsize_t count) {
   Memory& memory = memory_of(handle);
   const toff_t left = memory.at < memory.bytes.size() ? memory.bytes.size() - memory.at : 0;
   const auto taken = std::min<toff_t>(static_cast<toff_t>(std::max<tmsize_t>(count, 0)), left);
@@ -57,10 +57,10 @@ toff_t seek_memory(thandle_t handle, toff_t offset, int from) {
 }
 
 int close_nothing(thandle_t) { return 0; }
-toff_t size_of_memory(thandle_t handle) { return memory_of(handle).bytes.size(); }
+toff_t tiff_size_of_memory(thandle_t handle) { return memory_of(handle).bytes.size(); }
 
 /// Silences what libtiff would print.
-int say_nothing(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+int tiff_say_nothing(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
@@ -69,10 +69,10 @@ Tiff open(Memory& memory) {
                                                                                  &TIFFOpenOptionsFree);
   constexpr tmsize_t kMaxAllocation = tmsize_t{1} << 28U;
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), kMaxAllocation);
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), say_nothing, nullptr);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), say_nothing, nullptr);
-  return {TIFFClientOpenExt("depth", "rm", &memory, read_memory, write_nothing, seek_memory, close_nothing,
-                            size_of_memory, nullptr, nullptr, options.get()),
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), tiff_say_nothing, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), tiff_say_nothing, nullptr);
+  return {TIFFClientOpenExt("depth", "rm", &memory, tiff_read_memory, write_nothing, seek_memory,
+                            close_nothing, tiff_size_of_memory, nullptr, nullptr, options.get()),
           &TIFFClose};
 }
 

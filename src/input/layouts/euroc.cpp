@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHint = "restore the file, or put a camera.yaml into the folder";
+constexpr const char* kEurocHint = "restore the file, or put a camera.yaml into the folder";
 constexpr double kNanosecond = 1e-9;
 
 /// The folder that holds cam0.
 fs::path root_of(const fs::path& path) { return is_folder(path / "mav0") ? path / "mav0" : path; }
 
-std::optional<fs::path> depth_folder(const fs::path& root) {
+std::optional<fs::path> euroc_depth_folder(const fs::path& root) {
   return first_folder(root, {"depth0", "depth", "cam0/depth", "d0"});
 }
 
@@ -54,23 +54,23 @@ std::vector<double> list_of(const YAML::Node& node, std::size_t count, const std
     }
   }
   if (numbers.size() >= count) return numbers;
-  throw Error(where, fmt::format("is no list of {} numbers", count), kHint);
+  throw Error(where, fmt::format("is no list of {} numbers", count), kEurocHint);
 }
 
 YAML::Node load_sensor(const fs::path& path) {
   try {
-    YAML::Node root = YAML::Load(read_file(path, kHint, 1U << 20U));
+    YAML::Node root = YAML::Load(read_file(path, kEurocHint, 1U << 20U));
     if (root.IsMap()) return root;
   } catch (const YAML::Exception&) {
   }
-  throw Error(path.string(), "is no YAML with a sensor", kHint);
+  throw Error(path.string(), "is no YAML with a sensor", kEurocHint);
 }
 
-Camera read_sensor(const YAML::Node& root, const std::string& where) {
+Camera read_euroc_sensor(const YAML::Node& root, const std::string& where) {
   Camera camera;
   const auto size = list_of(root["resolution"], 2, where + ": resolution");
   if (!(size[0] >= 1 && size[0] <= 16384 && size[1] >= 1 && size[1] <= 16384)) {
-    throw Error(where, "has a resolution that is no image's", kHint);
+    throw Error(where, "has a resolution that is no image's", kEurocHint);
   }
   camera.width = static_cast<int>(size[0]), camera.height = static_cast<int>(size[1]);
   const auto k = list_of(root["intrinsics"], 4, where + ": intrinsics");
@@ -103,7 +103,7 @@ std::optional<Pose> body_from_camera(const YAML::Node& root, const std::string& 
 }
 
 /// timestamp [ns], p, q (w first), of the body.
-GroundTruth read_truth(const fs::path& path, const Pose& body_from_cam) {
+GroundTruth read_euroc_truth(const fs::path& path, const Pose& body_from_cam) {
   GroundTruth truth;
   for (const CsvRow& row : read_csv(path)) {
     if (!begins_with_number(row)) continue;
@@ -130,7 +130,7 @@ void find_cameras_and_truth(const fs::path& path, const fs::path& root, FolderCo
   if (is_file(sensor)) {
     const YAML::Node node = load_sensor(sensor);
     if (!contents.cameras) {
-      contents.cameras = RgbdCameras{read_sensor(node, sensor.string()), {}};
+      contents.cameras = RgbdCameras{read_euroc_sensor(node, sensor.string()), {}};
       contents.notes.push_back(contents.where +
                                ": depth is taken to be in millimetres; a camera.yaml in the folder "
                                "goes before");
@@ -141,7 +141,7 @@ void find_cameras_and_truth(const fs::path& path, const fs::path& root, FolderCo
   const fs::path truth = root / "state_groundtruth_estimate0" / "data.csv";
   contents.truth_where = truth.string();
   if (!is_file(truth)) return;
-  contents.read_truth = [truth, body_from_cam] { return read_truth(truth, body_from_cam); };
+  contents.read_truth = [truth, body_from_cam] { return read_euroc_truth(truth, body_from_cam); };
   contents.streams.push_back({"state_groundtruth_estimate0", "ground truth", std::nullopt});
 }
 
@@ -151,7 +151,7 @@ bool is_euroc(const fs::path& path) { return is_file(root_of(path) / "cam0" / "d
 
 std::unique_ptr<FrameSource> open_euroc(const fs::path& path, const SourceOptions& options) {
   const fs::path root = root_of(path);
-  const auto depth_path = depth_folder(root);
+  const auto depth_path = euroc_depth_folder(root);
   if (!depth_path) {
     throw Error(path.string(), "has no depth images (stereo is not read)",
                 "put them into depth0/ beside cam0/");

@@ -22,19 +22,19 @@ Camera icl_camera() {
   return camera;
 }
 
-struct Row {
+struct PoseRow {
   double depth_time = 0, colour_time = 0;
   std::string depth, colour;
 };
 
 /// "1 depth/1.png 1 rgb/1.png"; or colour before depth, as TUM's tool writes it.
-Row parse_row(std::string_view line, const std::string& where) {
+PoseRow parse_row(std::string_view line, const std::string& where) {
   const auto words = split_words(line);
   if (words.size() != 4) {
     throw Error(where, fmt::format("has {} values instead of 4", words.size()), kListLayout);
   }
-  Row row{parse_timestamp(words[0], where), parse_timestamp(words[2], where), std::string(words[1]),
-          std::string(words[3])};
+  PoseRow row{parse_timestamp(words[0], where), parse_timestamp(words[2], where), std::string(words[1]),
+              std::string(words[3])};
   if (row.colour.find("depth") != std::string::npos && row.depth.find("depth") == std::string::npos) {
     std::swap(row.colour, row.depth);
     std::swap(row.colour_time, row.depth_time);
@@ -42,9 +42,9 @@ Row parse_row(std::string_view line, const std::string& where) {
   return row;
 }
 
-std::vector<Row> read_rows(const fs::path& path) {
+std::vector<PoseRow> read_rows(const fs::path& path) {
   const std::string text = read_file(path, kListLayout);
-  std::vector<Row> rows;
+  std::vector<PoseRow> rows;
   LineReader lines(text);
   std::string_view line;
   while (lines.next(line)) {
@@ -67,7 +67,7 @@ Pose turn_axes(const Pose& pose) {
 }
 
 /// Poses with frame numbers for times.
-GroundTruth read_truth(const fs::path& path, double seconds_per_frame, bool turn) {
+GroundTruth read_icl_truth(const fs::path& path, double seconds_per_frame, bool turn) {
   GroundTruth truth = read_ground_truth(path);
   for (StampedPose& pose : truth.poses) {
     pose.timestamp *= seconds_per_frame;
@@ -82,13 +82,13 @@ std::optional<fs::path> find_freiburg_file(const fs::path& path) {
   return files.empty() ? std::nullopt : std::optional(files.front().path);
 }
 
-void add_truth(const fs::path& path, double seconds_per_frame, FolderContents& contents) {
+void add_icl_truth(const fs::path& path, double seconds_per_frame, FolderContents& contents) {
   const auto freiburg = find_freiburg_file(path);
   const fs::path file = freiburg.value_or(path / "groundtruth.txt");
   contents.truth_where = file.string();
   if (!is_file(file)) return;
   const bool turn = freiburg.has_value();
-  contents.read_truth = [=] { return read_truth(file, seconds_per_frame, turn); };
+  contents.read_truth = [=] { return read_icl_truth(file, seconds_per_frame, turn); };
   contents.streams.push_back({file.filename().string(), "ground truth", std::nullopt});
   if (turn) {
     contents.notes.push_back(file.string() + ": its world is left-handed with y up: it is turned to y down");
@@ -103,13 +103,13 @@ std::unique_ptr<FrameSource> open_icl_nuim(const fs::path& path, const SourceOpt
   FolderContents contents;
   contents.kind = "icl-nuim";
   contents.where = path.string();
-  const std::vector<Row> rows = read_rows(path / kList);
+  const std::vector<PoseRow> rows = read_rows(path / kList);
   // Whole numbers count frames.
   bool counted = true;
-  for (const Row& row : rows) counted = counted && row.colour_time == std::floor(row.colour_time);
+  for (const PoseRow& row : rows) counted = counted && row.colour_time == std::floor(row.colour_time);
   const double rate = rate_of(options, 30), scale = counted ? 1 / rate : 1;
   const auto file = [&](const std::string& name) { return ImageFile{path / name, (path / name).string()}; };
-  for (const Row& row : rows) {
+  for (const PoseRow& row : rows) {
     contents.frames.push_back(
         {row.colour_time * scale, row.depth_time * scale, file(row.colour), file(row.depth)});
   }
@@ -124,7 +124,7 @@ std::unique_ptr<FrameSource> open_icl_nuim(const fs::path& path, const SourceOpt
   contents.camera_hint =
       "put a camera.yaml into the folder or give one with --camera (known without: folders with "
       "*.gt.freiburg)";
-  add_truth(path, scale, contents);
+  add_icl_truth(path, scale, contents);
   return std::make_unique<FolderSource>(std::move(contents));
 }
 

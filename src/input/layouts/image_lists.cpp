@@ -16,7 +16,7 @@ std::vector<ImageListEntry> read_list(const fs::path& path) {
   return parse_image_list(read_file(path, "restore the list"), path.string());
 }
 
-std::vector<double> times_of(const std::vector<ImageListEntry>& list) {
+std::vector<double> times_in_list(const std::vector<ImageListEntry>& list) {
   std::vector<double> times;
   times.reserve(list.size());
   for (const ImageListEntry& entry : list) times.push_back(entry.timestamp);
@@ -33,7 +33,7 @@ ImageFile file_of(const fs::path& list, const ImageListEntry& entry) {
 void pair_lists(const fs::path& colour_list, const fs::path& depth_list, FolderContents& contents) {
   constexpr double kMaxDifference = 0.02;  // [s]
   const auto colour = read_list(colour_list), depth = read_list(depth_list);
-  const auto pairs = associate_times(times_of(colour), times_of(depth), kMaxDifference);
+  const auto pairs = associate_times(times_in_list(colour), times_in_list(depth), kMaxDifference);
   if (pairs.empty()) {
     throw Error(depth_list.string(),
                 fmt::format("no depth image lies within {:.0f} ms of a colour image", 1e3 * kMaxDifference),

@@ -33,11 +33,12 @@ std::vector<double> parse_numbers(std::string_view text, const std::string& name
 }
 
 std::vector<double> read_numbers(const std::filesystem::path& path, std::size_t count) {
-  constexpr const char* kHint = "restore the file";
+  constexpr const char* kNumberHint = "restore the file";
   constexpr std::size_t kMaxFile = 1U << 24U;
-  const std::vector<double> numbers = parse_numbers(read_file(path, kHint, kMaxFile), path.string());
+  const std::vector<double> numbers = parse_numbers(read_file(path, kNumberHint, kMaxFile), path.string());
   if (numbers.size() < count) {
-    throw Error(path.string(), fmt::format("holds {} numbers instead of {}", numbers.size(), count), kHint);
+    throw Error(path.string(), fmt::format("holds {} numbers instead of {}", numbers.size(), count),
+                kNumberHint);
   }
   return numbers;
 }

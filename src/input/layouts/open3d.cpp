@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHint =
+constexpr const char* kOpen3dHint =
     "give {\"width\", \"height\", \"intrinsic_matrix\": [fx, 0, 0, 0, fy, 0, cx, cy, 1]}";
 
 std::optional<fs::path> colour_folder(const fs::path& path) {
@@ -25,7 +25,7 @@ std::optional<fs::path> depth_folder(const fs::path& path) { return first_folder
 /// Open3D's PinholeCameraIntrinsic as it writes it: the matrix column by column.
 Camera parse_intrinsic(const std::string& text, const std::string& where) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  const auto fault = [&] { return Error(where, "is no pinhole camera of Open3D", kHint); };
+  const auto fault = [&] { return Error(where, "is no pinhole camera of Open3D", kOpen3dHint); };
   if (!json.is_object() || !json.contains("intrinsic_matrix") || !json["intrinsic_matrix"].is_array() ||
       json["intrinsic_matrix"].size() != 9) {
     throw fault();
@@ -70,7 +70,8 @@ void find_cameras(const fs::path& path, FolderContents& contents) {
   contents.camera_hint =
       "put a camera.yaml or Open3D's intrinsic.json into the folder, or give --camera FILE";
   if (const auto file = intrinsic_file(path)) {
-    contents.cameras = RgbdCameras{parse_intrinsic(read_file(*file, kHint, 1U << 20U), file->string()), {}};
+    contents.cameras =
+        RgbdCameras{parse_intrinsic(read_file(*file, kOpen3dHint, 1U << 20U), file->string()), {}};
     return;
   }
   const bool redwood = is_file(path / "trajectory.log");

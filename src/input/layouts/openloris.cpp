@@ -16,17 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCamera = "d400_color_optical_frame";
-constexpr const char* kHint = "restore the file, or put a camera.yaml into the folder";
+constexpr const char* kOpenLorisHint = "restore the file, or put a camera.yaml into the folder";
 
 /// OpenCV begins its YAML with "%YAML:1.0", which is none.
 YAML::Node load_opencv_yaml(const fs::path& path) {
   constexpr std::size_t kMaxFile = 1U << 20U;
-  std::string text = read_file(path, kHint, kMaxFile);
+  std::string text = read_file(path, kOpenLorisHint, kMaxFile);
   if (text.starts_with("%YAML")) text[0] = '#';
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw Error(fmt::format("{}:{}", path.string(), error.mark.line + 1), "is not YAML", kHint);
+    throw Error(fmt::format("{}:{}", path.string(), error.mark.line + 1), "is not YAML", kOpenLorisHint);
   }
 }
 
@@ -40,12 +40,12 @@ std::vector<double> matrix_data(const YAML::Node& matrix, std::size_t count, con
     }
   }
   if (numbers.size() >= count) return numbers;
-  throw Error(where, fmt::format("holds no matrix of {} numbers", count), kHint);
+  throw Error(where, fmt::format("holds no matrix of {} numbers", count), kOpenLorisHint);
 }
 
 double number_of(const YAML::Node& node, const std::string& where) {
   const auto number = node && node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
-  if (!number) throw Error(where, "is not a number", kHint);
+  if (!number) throw Error(where, "is not a number", kOpenLorisHint);
   return *number;
 }
 
@@ -53,12 +53,13 @@ Camera read_sensor(const fs::path& path) {
   const YAML::Node root = load_opencv_yaml(path);
   const std::string where = path.string() + ": " + kCamera;
   const YAML::Node node = root.IsMap() ? root[kCamera] : YAML::Node();
-  if (!node || !node.IsMap()) throw Error(path.string(), fmt::format("has no section {}", kCamera), kHint);
+  if (!node || !node.IsMap())
+    throw Error(path.string(), fmt::format("has no section {}", kCamera), kOpenLorisHint);
   Camera camera;
   const double width = number_of(node["width"], where + ".width");
   const double height = number_of(node["height"], where + ".height");
   if (!(width >= 1 && width <= 16384 && height >= 1 && height <= 16384)) {
-    throw Error(where, "has a size that is no image's", kHint);
+    throw Error(where, "has a size that is no image's", kOpenLorisHint);
   }
   camera.width = static_cast<int>(width), camera.height = static_cast<int>(height);
   const auto k = matrix_data(node["intrinsics"], 4, where + ".intrinsics");

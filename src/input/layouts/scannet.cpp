@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A 4 x 4 matrix of a file; the identity if there is none.
-Eigen::Matrix4d matrix_of(const fs::path& path) {
+Eigen::Matrix4d matrix_in(const fs::path& path) {
   if (!is_file(path)) return Eigen::Matrix4d::Identity();
   const std::vector<double> numbers = read_numbers(path, 16);
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
@@ -20,10 +20,10 @@ Eigen::Matrix4d matrix_of(const fs::path& path) {
 RgbdCameras cameras_of(const fs::path& path, const FolderFrame& first) {
   const fs::path folder = path / "intrinsic";
   ScanNetCalibration calibration;
-  calibration.colour_intrinsic = matrix_of(folder / "intrinsic_color.txt");
-  calibration.colour_extrinsic = matrix_of(folder / "extrinsic_color.txt");
-  calibration.depth_intrinsic = matrix_of(folder / "intrinsic_depth.txt");
-  calibration.depth_extrinsic = matrix_of(folder / "extrinsic_depth.txt");
+  calibration.colour_intrinsic = matrix_in(folder / "intrinsic_color.txt");
+  calibration.colour_extrinsic = matrix_in(folder / "extrinsic_color.txt");
+  calibration.depth_intrinsic = matrix_in(folder / "intrinsic_depth.txt");
+  calibration.depth_extrinsic = matrix_in(folder / "extrinsic_depth.txt");
   calibration.colour_size = size_of_image(first.colour.path);
   calibration.depth_size = size_of_image(first.depth.path);
   return scannet_cameras(calibration, folder.string());

@@ -20,17 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHint = "restore the file";
+constexpr const char* kSensHint = "restore the file";
 
 std::vector<std::uint8_t> read_bytes(const fs::path& path, std::uint64_t at, std::uint64_t count,
                                      const std::string& where) {
   constexpr std::uint64_t kMaxImage = std::uint64_t{1} << 28U;
-  if (count > kMaxImage) throw Error(where, fmt::format("is an image of {} bytes", count), kHint);
+  if (count > kMaxImage) throw Error(where, fmt::format("is an image of {} bytes", count), kSensHint);
   std::ifstream file(path, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(at));
   std::vector<std::uint8_t> bytes(count);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
-  if (!file) throw Error(where, "cannot be read", kHint);
+  if (!file) throw Error(where, "cannot be read", kSensHint);
   return bytes;
 }
 
@@ -52,11 +52,11 @@ class SensImages final : public PackedImages {
     auto bytes = read_bytes(path_, frame_.colour_at, frame_.colour_bytes, where);
     if (colour_kind_ != SensColour::raw) {
       const DecodedImage decoded = decode_colour(bytes, colour_size_, mode);
-      if (!decoded.problem.empty()) throw Error(where, decoded.problem, kHint);
+      if (!decoded.problem.empty()) throw Error(where, decoded.problem, kSensHint);
       return decoded.image;
     }
     if (bytes.size() != static_cast<std::size_t>(colour_size_.area()) * 3) {
-      throw Error(where, fmt::format("has {} bytes", bytes.size()), kHint);
+      throw Error(where, fmt::format("has {} bytes", bytes.size()), kSensHint);
     }
     cv::Mat image;
     cv::cvtColor(cv::Mat(colour_size_, CV_8UC3, bytes.data()), image,
@@ -86,7 +86,7 @@ class SensImages final : public PackedImages {
           inflate != nullptr && libdeflate_zlib_decompress(inflate.get(), bytes.data(), bytes.size(),
                                                            image.data, wanted, &got) == LIBDEFLATE_SUCCESS;
     }
-    if (!sound || got != wanted) throw Error(where, "is damaged", kHint);
+    if (!sound || got != wanted) throw Error(where, "is damaged", kSensHint);
     return image;
   }
 
@@ -192,7 +192,7 @@ bool is_sens_file(const fs::path& path) { return is_file(path) && path.extension
 
 std::unique_ptr<FrameSource> open_sens_file(const fs::path& path, const SourceOptions& options) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(path.string(), "cannot be opened", kHint);
+  if (!file) throw Error(path.string(), "cannot be opened", kSensHint);
   return std::make_unique<SensSource>(path, read_sens_index(file, path.string()), rate_of(options, 30));
 }
 

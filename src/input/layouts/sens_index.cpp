@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the file is little-endian");
 
-constexpr const char* kHint = "restore the file";
+constexpr const char* kIndexHint = "restore the file";
 constexpr std::uint32_t kVersion = 4;
 
 /// Reads numbers as they lie in the file; false at its end.
@@ -55,7 +55,7 @@ Eigen::Matrix4d matrix_of(const FileMatrix& rows) {
 
 /// "cut short" for the head, whose parts are all needed.
 void require(bool there, const std::string& name) {
-  if (!there) throw Error(name, "ends within its head", kHint);
+  if (!there) throw Error(name, "ends within its head", kIndexHint);
 }
 
 void read_calibration(Reader& reader, const std::string& name, ScanNetCalibration& calibration) {
@@ -72,7 +72,7 @@ cv::Size read_size(Reader& reader, const std::string& name) {
   std::uint32_t width = 0, height = 0;
   require(reader.read(width) && reader.read(height), name);
   if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide) {
-    throw Error(name, fmt::format("says that its images have {} x {} pixels", width, height), kHint);
+    throw Error(name, fmt::format("says that its images have {} x {} pixels", width, height), kIndexHint);
   }
   return {static_cast<int>(width), static_cast<int>(height)};
 }
@@ -100,7 +100,7 @@ void read_head(Reader& reader, const std::string& name, SensIndex& index) {
   float shift = 0;
   require(reader.read(shift) && reader.read(index.stated_frames), name);
   if (!(shift > 0 && shift < 1e6F))
-    throw Error(name, fmt::format("has {} depth units per metre", shift), kHint);
+    throw Error(name, fmt::format("has {} depth units per metre", shift), kIndexHint);
   index.calibration.depth_units_per_metre = shift;
 }
 
@@ -129,7 +129,7 @@ SensIndex read_sens_index(std::istream& file, const std::string& name) {
   SensFrame frame;
   while (index.frames.size() < index.stated_frames && read_frame(reader, frame))
     index.frames.push_back(frame);
-  if (index.frames.empty()) throw Error(name, "holds no frame", kHint);
+  if (index.frames.empty()) throw Error(name, "holds no frame", kIndexHint);
   return index;
 }
 

@@ -44,7 +44,7 @@ std::map<double, Row> read_odometry(const fs::path& path) {
 }
 
 /// The depth camera is the colour camera with fewer pixels: the app's depth is ARKit's, which is registered.
-RgbdCameras cameras_of(const fs::path& path, const FolderFrame& first) {
+RgbdCameras scanner_cameras(const fs::path& path, const FolderFrame& first) {
   const std::vector<double> k = read_numbers(path / "camera_matrix.csv", 9);
   const cv::Size size = size_of_image(first.colour.path), depth_size = size_of_image(first.depth.path);
   RgbdCameras cameras;
@@ -72,7 +72,7 @@ ImageFile confidence_of(const std::map<double, fs::path>& confidence, double num
 }
 
 /// Frames that have an image, a depth image and a time.
-void add_frames(const fs::path& path, const std::map<double, Row>& rows, FolderContents& contents) {
+void add_scanner_frames(const fs::path& path, const std::map<double, Row>& rows, FolderContents& contents) {
   const auto colour = by_number(list_colour_images(path / "rgb"));
   const auto depth = by_number(list_depth_images(path / "depth"));
   std::map<double, fs::path> confidence;
@@ -130,9 +130,9 @@ std::unique_ptr<FrameSource> open_stray_scanner(const fs::path& path, const Sour
   contents.where = path.string();
   const fs::path odometry = path / "odometry.csv";
   const std::map<double, Row> rows = read_odometry(odometry);
-  add_frames(path, rows, contents);
+  add_scanner_frames(path, rows, contents);
   contents.cameras = own_cameras(path);
-  if (!contents.cameras) contents.cameras = cameras_of(path, contents.frames.front());
+  if (!contents.cameras) contents.cameras = scanner_cameras(path, contents.frames.front());
   contents.truth_where = odometry.string();
   contents.read_truth = [rows] { return truth_of(rows); };
   contents.notes.push_back(odometry.string() +

@@ -23,11 +23,11 @@ namespace fs = std::filesystem;
 constexpr double kMaxDifference = 0.02;  // [s] between colour and depth
 constexpr const char* kLayout = "give a folder in TUM RGB-D layout: rgb.txt, depth.txt and the images";
 
-std::vector<ImageListEntry> read_list(const fs::path& path, StampOrder order) {
+std::vector<ImageListEntry> read_tum_list(const fs::path& path, StampOrder order) {
   return parse_image_list(read_file(path, kLayout), path.string(), order);
 }
 
-std::vector<double> times_of(const std::vector<ImageListEntry>& list) {
+std::vector<double> times_of_images(const std::vector<ImageListEntry>& list) {
   std::vector<double> times;
   times.reserve(list.size());
   for (const ImageListEntry& entry : list) times.push_back(entry.timestamp);
@@ -82,8 +82,8 @@ TumSequence::TumSequence(const fs::path& folder, std::optional<double> rate) : f
   if (!is_there(folder)) throw Error(folder.string(), "there is no such folder", kLayout);
   if (!fs::is_directory(folder, ignored)) throw Error(folder.string(), "is not a folder", kLayout);
   const StampOrder order = rate ? StampOrder::any : StampOrder::increasing;
-  const std::vector<ImageListEntry> colour = read_list(folder / "rgb.txt", order);
-  const std::vector<ImageListEntry> depth = read_list(folder / "depth.txt", order);
+  const std::vector<ImageListEntry> colour = read_tum_list(folder / "rgb.txt", order);
+  const std::vector<ImageListEntry> depth = read_tum_list(folder / "depth.txt", order);
   if (rate) {
     pair_by_order(colour, depth, *rate);
   } else {
@@ -98,7 +98,7 @@ void TumSequence::add(const ImageListEntry& colour, const ImageListEntry& depth)
 
 void TumSequence::pair_by_stamps(const std::vector<ImageListEntry>& colour,
                                  const std::vector<ImageListEntry>& depth) {
-  const std::vector<double> colour_times = times_of(colour), depth_times = times_of(depth);
+  const std::vector<double> colour_times = times_of_images(colour), depth_times = times_of_images(depth);
   const auto pairs = associate_times(colour_times, depth_times, kMaxDifference);
   if (pairs.empty()) {
     throw Error(

@@ -11,7 +11,7 @@
 namespace stdc {
 namespace {
 
-constexpr const char* kHint = "give a camera file with --camera";
+constexpr const char* kCameraHint = "give a camera file with --camera";
 
 enum class Lens { none, plumb_bob, rational, equidistant, unknown };
 
@@ -49,14 +49,15 @@ void set_lens(const CameraInfoMessage& info, Camera& camera, const std::string& 
   const Lens lens = lens_of(info.distortion_model);
   if (lens != Lens::equidistant && all_zero(info.d)) return;
   if (lens == Lens::unknown || lens == Lens::none) {
-    throw Error(where, fmt::format("its lens model {} is not known", shown(info.distortion_model)), kHint);
+    throw Error(where, fmt::format("its lens model {} is not known", shown(info.distortion_model)),
+                kCameraHint);
   }
   const std::size_t count = coefficients_of(lens);
   if (!all_zero(info.d, count)) {
     throw Error(where,
                 fmt::format("its lens {} has {} coefficients, but only {} are known here",
                             shown(info.distortion_model), info.d.size(), count),
-                kHint);
+                kCameraHint);
   }
   std::vector<double> d = info.d;
   d.resize(8, 0.0);
@@ -72,9 +73,9 @@ void set_lens(const CameraInfoMessage& info, Camera& camera, const std::string& 
 }  // namespace
 
 Camera camera_of_info(const CameraInfoMessage& info, bool rectified, const std::string& where) {
-  constexpr std::uint32_t kMaxSide = 16384;
-  if (info.width < 1 || info.height < 1 || info.width > kMaxSide || info.height > kMaxSide) {
-    throw Error(where, fmt::format("gives a size of {} x {} pixels", info.width, info.height), kHint);
+  constexpr std::uint32_t kMaxCameraSide = 16384;
+  if (info.width < 1 || info.height < 1 || info.width > kMaxCameraSide || info.height > kMaxCameraSide) {
+    throw Error(where, fmt::format("gives a size of {} x {} pixels", info.width, info.height), kCameraHint);
   }
   Camera camera;
   const auto& m = info.k;
@@ -84,13 +85,13 @@ Camera camera_of_info(const CameraInfoMessage& info, bool rectified, const std::
     camera.fx = m[0], camera.fy = m[4], camera.cx = m[2], camera.cy = m[5];
   }
   if (!(camera.fx > 0 && camera.fy > 0))
-    throw Error(where, "the camera was not calibrated: its focal length is 0", kHint);
+    throw Error(where, "the camera was not calibrated: its focal length is 0", kCameraHint);
   if (!rectified) set_lens(info, camera, where);
   // K and P are those of the whole sensor without binning; a pixel's middle lies at a whole number.
   const bool has_region = info.roi_width > 0 && info.roi_height > 0;
   if (has_region && (std::uint64_t{info.roi_x} + info.roi_width > info.width ||
                      std::uint64_t{info.roi_y} + info.roi_height > info.height)) {
-    throw Error(where, "its region of interest lies outside the image", kHint);
+    throw Error(where, "its region of interest lies outside the image", kCameraHint);
   }
   if (has_region) camera.cx -= info.roi_x, camera.cy -= info.roi_y;
   const double binning_x = std::max(info.binning_x, 1U), binning_y = std::max(info.binning_y, 1U);

@@ -13,7 +13,7 @@
 namespace stdc {
 namespace {
 
-constexpr int kMaxSide = 16384;
+constexpr int kMaxPackedSide = 16384;
 
 /// The parts of a compressedDepth message.
 struct DepthPack {
@@ -34,7 +34,8 @@ DepthPack unpack_header(const CompressedImageMessage& message) {
   pack.rvl = message.format.find("rvl") != std::string_view::npos;
   if (pack.rvl) {
     const auto width = reader.number<std::int32_t>(), height = reader.number<std::int32_t>();
-    if (width > 0 && height > 0 && width <= kMaxSide && height <= kMaxSide) pack.size = {width, height};
+    if (width > 0 && height > 0 && width <= kMaxPackedSide && height <= kMaxPackedSide)
+      pack.size = {width, height};
   }
   if (reader.ok()) pack.data = reader.bytes(reader.left());
   if (!pack.rvl) pack.size = image_size(pack.data).value_or(cv::Size());

@@ -13,7 +13,7 @@
 namespace stdc {
 namespace {
 
-constexpr const char* kHint = "give a recording made by 'ros2 bag record'";
+constexpr const char* kDatabaseHint = "give a recording made by 'ros2 bag record'";
 
 struct CloseDatabase {
   void operator()(sqlite3* database) const { sqlite3_close(database); }
@@ -124,7 +124,7 @@ class Db3Recording : public Recording {
     throw Error(where_,
                 fmt::format("is no recording of rosbag2 ({})",
                             database_ ? sqlite3_errmsg(database_.get()) : "no memory"),
-                kHint);
+                kDatabaseHint);
   }
 
   bool try_to_open(const std::filesystem::path& path, bool immutable, bool cut_off) {

@@ -73,21 +73,22 @@ McapBytes end() {
       .raw(mcap::kMagic);
 }
 
-struct ReadBack {
+struct McapReadBack {
   std::vector<LogTime> times;
   std::vector<std::string> faults;
 };
 
-ReadBack read_back(const McapBytes& file, LogTime from = Recording::kBegin, LogTime until = Recording::kEnd) {
+McapReadBack read_mcap_back(const McapBytes& file, LogTime from = Recording::kBegin,
+                            LogTime until = Recording::kEnd) {
   McapRecording recording(bytes_in_memory(file.bytes()), "x.mcap");
   recording.start(std::array{0}, from, until);
-  ReadBack result;
+  McapReadBack result;
   while (const auto next = recording.next()) result.times.push_back(next->log_time);
   result.faults = recording.faults();
   return result;
 }
 
-using Times = std::vector<LogTime>;
+using McapTimes = std::vector<LogTime>;
 
 TEST(McapRecording, ChunksThatOverlapInTimeAreMerged) {
   const McapBytes file = beginning()
@@ -95,22 +96,22 @@ TEST(McapRecording, ChunksThatOverlapInTimeAreMerged) {
                              .bytes_of(chunk({15, 40}))
                              .bytes_of(chunk({5, 35}))
                              .bytes_of(end());
-  EXPECT_EQ(read_back(file).times, (Times{5, 10, 15, 20, 30, 35, 40}));
-  EXPECT_EQ(read_back(file, 15, 35).times, (Times{15, 20, 30, 35}));
-  EXPECT_TRUE(read_back(file).faults.empty());
+  EXPECT_EQ(read_mcap_back(file).times, (McapTimes{5, 10, 15, 20, 30, 35, 40}));
+  EXPECT_EQ(read_mcap_back(file, 15, 35).times, (McapTimes{15, 20, 30, 35}));
+  EXPECT_TRUE(read_mcap_back(file).faults.empty());
 }
 
 TEST(McapRecording, MessagesMayStandOutsideChunks) {
   const McapBytes file =
       beginning().bytes_of(message(7)).bytes_of(chunk({1, 2})).bytes_of(message(3)).bytes_of(end());
-  EXPECT_EQ(read_back(file).times, (Times{1, 2, 3, 7}));
+  EXPECT_EQ(read_mcap_back(file).times, (McapTimes{1, 2, 3, 7}));
 }
 
 TEST(McapRecording, AChunkWithAWrongCheckSumIsLeftOut) {
   const McapBytes file =
       beginning().bytes_of(chunk({1})).bytes_of(chunk({2}, {}, 77U)).bytes_of(chunk({3})).bytes_of(end());
-  const ReadBack read = read_back(file);
-  EXPECT_EQ(read.times, (Times{1, 3}));
+  const McapReadBack read = read_mcap_back(file);
+  EXPECT_EQ(read.times, (McapTimes{1, 3}));
   ASSERT_EQ(read.faults.size(), 1U);
   EXPECT_NE(read.faults[0].find("is left out: its check sum is wrong"), std::string::npos) << read.faults[0];
 }
@@ -118,14 +119,14 @@ TEST(McapRecording, AChunkWithAWrongCheckSumIsLeftOut) {
 TEST(McapRecording, SizesThatLieAreRefused) {
   const McapBytes huge =
       beginning().bytes_of(chunk({1})).bytes_of(chunk({2}, std::uint64_t{1} << 60U)).bytes_of(end());
-  const ReadBack read = read_back(huge);
-  EXPECT_EQ(read.times, (Times{1}));
+  const McapReadBack read = read_mcap_back(huge);
+  EXPECT_EQ(read.times, (McapTimes{1}));
   ASSERT_EQ(read.faults.size(), 1U);
   EXPECT_NE(read.faults[0].find("it claims 1152921504606846976 bytes"), std::string::npos) << read.faults[0];
   // A record that claims more than the file has ends the reading.
-  const ReadBack cut =
-      read_back(beginning().bytes_of(chunk({1})).number(5, 1).number(std::uint64_t{1} << 62U, 8));
-  EXPECT_EQ(cut.times, (Times{1}));
+  const McapReadBack cut =
+      read_mcap_back(beginning().bytes_of(chunk({1})).number(5, 1).number(std::uint64_t{1} << 62U, 8));
+  EXPECT_EQ(cut.times, (McapTimes{1}));
   EXPECT_NE(cut.faults.at(0).find("ends within the record at byte"), std::string::npos);
 }
 

@@ -39,7 +39,7 @@ Kind kind_of(const fs::path& path) {
 
 /// @param path  where the bytes are: the file, or what was unpacked of it
 std::unique_ptr<Recording> open_file(const fs::path& path, const std::string& where) {
-  constexpr const char* kHint = "give an .mcap, .bag or .db3 recording, or a folder of rosbag2";
+  constexpr const char* kKindHint = "give an .mcap, .bag or .db3 recording, or a folder of rosbag2";
   std::unique_ptr<ByteStore> bytes = open_byte_file(path);
   switch (kind_of(path)) {
     case Kind::mcap:
@@ -52,7 +52,8 @@ std::unique_ptr<Recording> open_file(const fs::path& path, const std::string& wh
       throw Error(where, "is a ROS bag of a version before 2.0",
                   "bring it up to date by 'rosbag fix' or 'rosbag reindex'");
     default:
-      throw Error(where, bytes->size() == 0 ? "is empty" : "is no recording of a kind that is known", kHint);
+      throw Error(where, bytes->size() == 0 ? "is empty" : "is no recording of a kind that is known",
+                  kKindHint);
   }
 }
 

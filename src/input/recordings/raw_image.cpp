@@ -11,7 +11,7 @@
 namespace stdc {
 namespace {
 
-constexpr std::uint32_t kMaxSide = 16384;
+constexpr std::uint32_t kMaxRawSide = 16384;
 
 /// How the pixels of an encoding lie.
 struct Encoding {
@@ -62,7 +62,8 @@ const Encoding* find_encoding(std::string_view name) {
 
 /// Why the message cannot hold such pixels, or "".
 std::string size_problem(const ImageMessage& message, const Encoding& encoding) {
-  if (message.width < 1 || message.height < 1 || message.width > kMaxSide || message.height > kMaxSide) {
+  if (message.width < 1 || message.height < 1 || message.width > kMaxRawSide ||
+      message.height > kMaxRawSide) {
     return fmt::format("the image claims {} x {} pixels", message.width, message.height);
   }
   const std::size_t row = message.width * static_cast<std::size_t>(CV_ELEM_SIZE(encoding.type));

@@ -51,8 +51,8 @@ bool look_at(const RecordedTopic& topic, const RecordedMessage& message, ImageSa
     header = image->header;
     sample.encoding = image->encoding;
     sample.meaning = meaning_of(image->encoding);
-    constexpr std::uint32_t kMaxSide = 16384;
-    if (image->width <= kMaxSide && image->height <= kMaxSide) {
+    constexpr std::uint32_t kMaxSurveyedSide = 16384;
+    if (image->width <= kMaxSurveyedSide && image->height <= kMaxSurveyedSide) {
       sample.size = {static_cast<int>(image->width), static_cast<int>(image->height)};
     }
   }

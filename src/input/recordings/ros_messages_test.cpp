@@ -12,10 +12,10 @@ namespace stdc {
 namespace {
 
 using test::MessageWriter;
-using Style = MessageWriter::Style;
+using CdrStyle = MessageWriter::Style;
 
 constexpr std::int64_t kStamp = 1'700'000'000'123'456'789;
-constexpr std::array kStyles{Style::ros1, Style::cdr_little, Style::cdr_big};
+constexpr std::array kStyles{CdrStyle::ros1, CdrStyle::cdr_little, CdrStyle::cdr_big};
 
 Bytes all_but(const std::vector<std::uint8_t>& bytes, std::size_t left_out) {
   return Bytes(bytes).first(bytes.size() - left_out);
@@ -28,11 +28,11 @@ Camera some_camera() {
 }
 
 TEST(RosMessages, ImagesOfEachSerialisation) {
-  for (const Style style : kStyles) {
+  for (const CdrStyle style : kStyles) {
     // A frame of any length: what follows is aligned to it.
     for (const char* frame : {"", "a", "ab", "abc", "camera_link"}) {
       const MessageWriter writer = test::image_message(style, kStamp, frame, 2, 3, "mono8",
-                                                       {1, 2, 3, 4, 5, 6}, style == Style::cdr_big);
+                                                       {1, 2, 3, 4, 5, 6}, style == CdrStyle::cdr_big);
       const auto image = read_image_message(writer.serialisation(), writer.bytes());
       ASSERT_TRUE(image.has_value());
       EXPECT_EQ(image->header.stamp, kStamp);
@@ -41,7 +41,7 @@ TEST(RosMessages, ImagesOfEachSerialisation) {
       EXPECT_EQ(image->height, 3U);
       EXPECT_EQ(image->step, 2U);
       EXPECT_EQ(image->encoding, "mono8");
-      EXPECT_EQ(image->big_endian, style == Style::cdr_big);
+      EXPECT_EQ(image->big_endian, style == CdrStyle::cdr_big);
       EXPECT_EQ(std::vector<std::uint8_t>(image->data.begin(), image->data.end()),
                 (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
       for (std::size_t cut = 1; cut <= writer.bytes().size(); ++cut) {
@@ -52,7 +52,7 @@ TEST(RosMessages, ImagesOfEachSerialisation) {
 }
 
 TEST(RosMessages, LengthsThatLieAreRefusedBeforeMemoryIsTaken) {
-  for (const Style style : kStyles) {
+  for (const CdrStyle style : kStyles) {
     MessageWriter image(style), info(style), transforms(style);
     image.header(kStamp, "x").text("jpeg").number(std::uint32_t{0xFFFFFFFF});
     EXPECT_FALSE(read_compressed_image_message(image.serialisation(), image.bytes()).has_value());
@@ -64,7 +64,7 @@ TEST(RosMessages, LengthsThatLieAreRefusedBeforeMemoryIsTaken) {
 }
 
 TEST(RosMessages, UnknownEncapsulationsAreRefused) {
-  MessageWriter writer = test::image_message(Style::cdr_little, kStamp, "x", 1, 1, "mono8", {1});
+  MessageWriter writer = test::image_message(CdrStyle::cdr_little, kStamp, "x", 1, 1, "mono8", {1});
   std::vector<std::uint8_t> bytes = writer.bytes();
   bytes[1] = 7;  // XCDR2
   EXPECT_FALSE(read_image_message(Serialisation::cdr, bytes).has_value());
@@ -72,7 +72,7 @@ TEST(RosMessages, UnknownEncapsulationsAreRefused) {
 }
 
 TEST(RosMessages, CameraInfo) {
-  for (const Style style : kStyles) {
+  for (const CdrStyle style : kStyles) {
     const MessageWriter writer =
         test::camera_info_message(style, "cam", some_camera(), "plumb_bob", {1, 2, 3, 4, 5});
     const auto info = read_camera_info_message(writer.serialisation(), writer.bytes());
@@ -88,7 +88,7 @@ TEST(RosMessages, CameraInfo) {
 
 TEST(RosMessages, PosesTransformsAndNumbers) {
   const Pose pose(rotation_exp({0.1, 0.2, 0.3}), Eigen::Vector3d(1, 2, 3));
-  for (const Style style : kStyles) {
+  for (const CdrStyle style : kStyles) {
     MessageWriter stamped(style), odometry(style), number(style);
     stamped.header(kStamp, "world").pose(pose);
     const auto read =
@@ -125,15 +125,15 @@ CameraInfoMessage info_of(const MessageWriter& writer) {
   return *read_camera_info_message(writer.serialisation(), writer.bytes());
 }
 
-std::string refusal(const std::string& model, const std::vector<double>& d,
-                    const Camera& camera = some_camera()) {
-  const MessageWriter writer = test::camera_info_message(Style::ros1, "x", camera, model, d);
+std::string refusal_of_message(const std::string& model, const std::vector<double>& d,
+                               const Camera& camera = some_camera()) {
+  const MessageWriter writer = test::camera_info_message(CdrStyle::ros1, "x", camera, model, d);
   return test::message_of([&] { camera_of_info(info_of(writer), false, "run.bag (/info)"); });
 }
 
 TEST(CameraOfInfo, KnowsTheLensesOfRos) {
   const auto camera_of = [](const std::string& model, const std::vector<double>& d) {
-    const MessageWriter writer = test::camera_info_message(Style::ros1, "x", some_camera(), model, d);
+    const MessageWriter writer = test::camera_info_message(CdrStyle::ros1, "x", some_camera(), model, d);
     return camera_of_info(info_of(writer), false, "x");
   };
   EXPECT_EQ(camera_of("plumb_bob", {0.1, -0.2, 1e-3, 2e-3, 0.05}).k3, 0.05);
@@ -149,17 +149,20 @@ TEST(CameraOfInfo, KnowsTheLensesOfRos) {
 }
 
 TEST(CameraOfInfo, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(refusal("thin_prism", {0.1}).find("run.bag (/info): its lens model 'thin_prism' is not known"),
+  EXPECT_NE(refusal_of_message("thin_prism", {0.1})
+                .find("run.bag (/info): its lens model 'thin_prism' is not known"),
             std::string::npos);
-  EXPECT_NE(refusal("rational_polynomial", std::vector<double>(14, 0.001)).find("has 14 coefficients"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal_of_message("rational_polynomial", std::vector<double>(14, 0.001)).find("has 14 coefficients"),
+      std::string::npos);
   Camera uncalibrated = some_camera();
   uncalibrated.fx = uncalibrated.fy = 0;
-  EXPECT_NE(refusal("plumb_bob", {}, uncalibrated).find("was not calibrated"), std::string::npos);
+  EXPECT_NE(refusal_of_message("plumb_bob", {}, uncalibrated).find("was not calibrated"), std::string::npos);
 }
 
 TEST(CameraOfInfo, RectifiedImagesHaveNoLensAndBinnedOnesFewerPixels) {
-  const MessageWriter writer = test::camera_info_message(Style::ros1, "x", some_camera(), "plumb_bob", {0.1});
+  const MessageWriter writer =
+      test::camera_info_message(CdrStyle::ros1, "x", some_camera(), "plumb_bob", {0.1});
   CameraInfoMessage info = info_of(writer);
   const Camera rectified = camera_of_info(info, true, "x");
   EXPECT_EQ(rectified.fx, 450);

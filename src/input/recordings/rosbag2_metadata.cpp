@@ -10,7 +10,7 @@
 namespace stdc {
 namespace {
 
-constexpr const char* kHint =
+constexpr const char* kMetadataHint =
     "write it anew by 'ros2 bag reindex', or remove it: the files are then read by their numbers";
 
 RecordedTopic topic_of(const YAML::Node& node) {
@@ -27,7 +27,8 @@ RecordedTopic topic_of(const YAML::Node& node) {
 std::string checked_file(const std::string& file, const std::string& name) {
   const std::filesystem::path path(file);
   const bool outside = path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
-  if (file.empty() || outside) throw Error(name, "names a file outside its folder: " + shown(file), kHint);
+  if (file.empty() || outside)
+    throw Error(name, "names a file outside its folder: " + shown(file), kMetadataHint);
   return file;
 }
 
@@ -53,12 +54,12 @@ Rosbag2Metadata parse_rosbag2_metadata(const std::string& yaml, const std::strin
   Rosbag2Metadata metadata;
   try {
     const YAML::Node info = YAML::Load(yaml)["rosbag2_bagfile_information"];
-    if (!info || !info.IsMap()) throw Error(name, "has no rosbag2_bagfile_information", kHint);
+    if (!info || !info.IsMap()) throw Error(name, "has no rosbag2_bagfile_information", kMetadataHint);
     metadata = read(info, name);
   } catch (const YAML::Exception& error) {
-    throw Error(name, "is damaged (" + shown(error.msg) + ")", kHint);
+    throw Error(name, "is damaged (" + shown(error.msg) + ")", kMetadataHint);
   }
-  if (metadata.files.empty()) throw Error(name, "names no file", kHint);
+  if (metadata.files.empty()) throw Error(name, "names no file", kMetadataHint);
   return metadata;
 }
 

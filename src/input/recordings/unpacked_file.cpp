@@ -39,7 +39,7 @@ std::uintmax_t room_of(const fs::path& folder) {
 }
 
 /// Half a sentence on what went wrong, or "".
-std::string unpack(const fs::path& packed, const fs::path& to) {
+std::string unpack_file(const fs::path& packed, const fs::path& to) {
   std::ifstream in(packed, std::ios::binary);
   std::ofstream out(to, std::ios::binary);
   const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
@@ -64,7 +64,7 @@ std::string unpack(const fs::path& packed, const fs::path& to) {
 }  // namespace
 
 UnpackedFile::UnpackedFile(const fs::path& packed) : path_(new_file_name(packed)) {
-  const std::string problem = unpack(packed, path_);
+  const std::string problem = unpack_file(packed, path_);
   if (problem.empty()) return;
   std::error_code ignored;
   fs::remove(path_, ignored);

@@ -1,5 +1,6 @@
 #include "segmentation/network/network_segmenter.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -82,19 +83,46 @@ std::string NetworkSegmenter::description() const {
                      has_checksum_ ? "" : "; weights without a checksum: damage would pass unnoticed");
 }
 
-fs::path find_network_weights(const std::string& variant) {
-  const fs::path name =
-      fmt::format("models/stdc1-person{}{}.safetensors", variant.empty() ? "" : "-", variant);
+namespace {
+
+/// The file of the program or shared library that this code is in; empty if that cannot be found out.
+fs::path own_file() {
+  Dl_info info{};
+  std::error_code fault;
+  if (dladdr(reinterpret_cast<const void*>(&find_network_weights), &info) == 0 || info.dli_fname == nullptr)
+    return {};
+  const fs::path file = fs::canonical(info.dli_fname, fault);
+  return fault ? fs::path() : file;
+}
+
+/// The places of a file of weights, first the one that counts: the folder that the user names, then what
+/// belongs to the program and to the library, installed (share/stdc-slam/) or not (models/), wherever they
+/// were moved.
+std::vector<fs::path> places_of_weights(const fs::path& name) {
   std::vector<fs::path> places;
   if (const char* folder = std::getenv("STDC_SLAM_MODELS"))
     places.push_back(fs::path(folder) / name.filename());
   std::error_code fault;
-  fs::path folder = fs::read_symlink("/proc/self/exe", fault).parent_path();
-  if (!folder.empty()) places.push_back(folder.parent_path() / "share/stdc-slam" / name);
-  constexpr int kHighest = 4;
-  for (int i = 0; i <= kHighest && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
-    places.push_back(folder / name);
+  for (const fs::path& file : {fs::read_symlink("/proc/self/exe", fault), own_file()}) {
+    fs::path folder = file.parent_path();
+    constexpr int kHighest = 4;
+    for (int i = 0; i <= kHighest && folder.has_relative_path(); ++i, folder = folder.parent_path()) {
+      for (fs::path place : {folder / "share/stdc-slam" / name, folder / name}) {
+        if (std::find(places.begin(), places.end(), place) == places.end())
+          places.push_back(std::move(place));
+      }
+    }
   }
+  return places;
+}
+
+}  // namespace
+
+fs::path find_network_weights(const std::string& variant) {
+  const fs::path name =
+      fmt::format("models/stdc1-person{}{}.safetensors", variant.empty() ? "" : "-", variant);
+  const std::vector<fs::path> places = places_of_weights(name);
+  std::error_code fault;
   for (const fs::path& place : places) {
     if (fs::is_regular_file(place, fault)) return place;
   }

@@ -17,7 +17,7 @@ RandomWeights narrow(bool stdc2 = false) {
   return RandomWeights(stdc2, {{4, 8}, {16, 16, 32}, 8, 16, 4, 8, 2});
 }
 
-void expect_refused(const RandomWeights& weights, const std::string& part) {
+void expect_file_refused(const RandomWeights& weights, const std::string& part) {
   const std::string message = message_of([&] { weights.read(); });
   EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' has no '" << part << "'";
   EXPECT_EQ(message.rfind("random weights", 0), 0U) << message;
@@ -59,33 +59,34 @@ TEST(WeightsReader, RefusesWrongMetadata) {
     weights.metadata[key] = value;
     return weights;
   };
-  expect_refused(with("format", "stdc-weights-3"), "is neither stdc-weights-1 nor stdc-weights-2");
-  expect_refused(with("format", "stdc-weights-2"), "has lost its checksum");
-  expect_refused(with("architecture", "BiSeNet"), "neither STDC1-Seg nor STDC2-Seg");
-  expect_refused(with("classes", "person"), "'classes': is not JSON");
-  expect_refused(with("classes", R"(["one"])"), "fewer than two");
-  expect_refused(with("classes", R"(["c0","c1","c2"])"), "names 3 classes, but the network tells 2 apart");
-  expect_refused(with("dynamic_classes", R"(["dog"])"), "'dog' is not among the classes");
-  expect_refused(with("dynamic_classes", R"({"a":1})"), "not a list of names");
-  expect_refused(with("classes", std::string(5000, '[')), "is not JSON");
-  expect_refused(with("dynamic_classes", "[]"), "none of its classes would be dynamic");
-  expect_refused(with("dynamic_classes", R"(["c0","c1"])"), "all of its classes would be dynamic");
-  expect_refused(with("probability", "[1]"), "is not a list of scale and offset");
-  expect_refused(with("probability", "[-1, 0]"), "'probability': is damaged");
-  expect_refused(with("input_width", "500"), "500x384 is not a size");
-  expect_refused(with("input_height", "0x20"), "not a whole number");
-  expect_refused(with("mean", "[1,2]"), "list of three numbers");
-  expect_refused(with("mean", "[124,116,104]"), "outside 0..1");
-  expect_refused(with("std", "[0,1,1]"), "outside 0.01..10");
-  expect_refused(with("activation_ranges", "[]"), "not an object");
-  expect_refused(with("activation_ranges", R"({"a":[1]})"), "two numbers");
-  expect_refused(with("activation_ranges", R"({"a":[2,1]})"), "the range of 'a' is damaged");
-  expect_refused(with("activation_ranges", R"({"a":[0,1e300]})"), "the range of 'a' is damaged");
+  expect_file_refused(with("format", "stdc-weights-3"), "is neither stdc-weights-1 nor stdc-weights-2");
+  expect_file_refused(with("format", "stdc-weights-2"), "has lost its checksum");
+  expect_file_refused(with("architecture", "BiSeNet"), "neither STDC1-Seg nor STDC2-Seg");
+  expect_file_refused(with("classes", "person"), "'classes': is not JSON");
+  expect_file_refused(with("classes", R"(["one"])"), "fewer than two");
+  expect_file_refused(with("classes", R"(["c0","c1","c2"])"),
+                      "names 3 classes, but the network tells 2 apart");
+  expect_file_refused(with("dynamic_classes", R"(["dog"])"), "'dog' is not among the classes");
+  expect_file_refused(with("dynamic_classes", R"({"a":1})"), "not a list of names");
+  expect_file_refused(with("classes", std::string(5000, '[')), "is not JSON");
+  expect_file_refused(with("dynamic_classes", "[]"), "none of its classes would be dynamic");
+  expect_file_refused(with("dynamic_classes", R"(["c0","c1"])"), "all of its classes would be dynamic");
+  expect_file_refused(with("probability", "[1]"), "is not a list of scale and offset");
+  expect_file_refused(with("probability", "[-1, 0]"), "'probability': is damaged");
+  expect_file_refused(with("input_width", "500"), "500x384 is not a size");
+  expect_file_refused(with("input_height", "0x20"), "not a whole number");
+  expect_file_refused(with("mean", "[1,2]"), "list of three numbers");
+  expect_file_refused(with("mean", "[124,116,104]"), "outside 0..1");
+  expect_file_refused(with("std", "[0,1,1]"), "outside 0.01..10");
+  expect_file_refused(with("activation_ranges", "[]"), "not an object");
+  expect_file_refused(with("activation_ranges", R"({"a":[1]})"), "two numbers");
+  expect_file_refused(with("activation_ranges", R"({"a":[2,1]})"), "the range of 'a' is damaged");
+  expect_file_refused(with("activation_ranges", R"({"a":[0,1e300]})"), "the range of 'a' is damaged");
   for (const char* key :
        {"format", "architecture", "classes", "dynamic_classes", "input_width", "mean", "licence"}) {
     RandomWeights weights = narrow();
     weights.metadata.erase(key);
-    expect_refused(weights, std::string("has no '") + key + "'");
+    expect_file_refused(weights, std::string("has no '") + key + "'");
   }
 }
 
@@ -94,25 +95,25 @@ TEST(WeightsReader, RefusesWrongTensors) {
                            "context.arm4.attention.bn.bias", "ffm.excite.weight", "head.classify.bias"}) {
     RandomWeights weights = narrow();
     weights.tensors.erase(name);
-    expect_refused(weights, std::string("has no tensor '") + name + "'");
+    expect_file_refused(weights, std::string("has no tensor '") + name + "'");
   }
   RandomWeights weights = narrow();
   weights.tensors["backbone.stage2.conv.weight"].shape = {8, 2, 6, 3};
-  expect_refused(weights,
-                 "'backbone.stage2.conv.weight': has the shape [8, 2, 6, 3], not [outputs, 4, 3, 3]");
+  expect_file_refused(weights,
+                      "'backbone.stage2.conv.weight': has the shape [8, 2, 6, 3], not [outputs, 4, 3, 3]");
   weights = narrow();
   weights.tensors["head.conv.bn.bias"].shape = {2, 4};
-  expect_refused(weights, "'head.conv.bn.bias': has the shape [2, 4], not [8]");
+  expect_file_refused(weights, "'head.conv.bn.bias': has the shape [2, 4], not [8]");
   weights = narrow();
   weights.tensors["head.conv.bn.running_var"].values[3] = -1;
-  expect_refused(weights, "'head.conv.bn.running_var': is negative");
+  expect_file_refused(weights, "'head.conv.bn.running_var': is negative");
   weights = narrow();
   weights.tensors["head.conv.bn.weight"].values[3] = 3e38F;
   weights.tensors["head.conv.bn.running_var"].values[3] = 0;
-  expect_refused(weights, "makes the weights infinite");
+  expect_file_refused(weights, "makes the weights infinite");
   weights = narrow();
   weights.metadata["architecture"] = "STDC2-Seg";
-  expect_refused(weights, "has no tensor 'backbone.stage3.2.blocks.0.conv.weight'");
+  expect_file_refused(weights, "has no tensor 'backbone.stage3.2.blocks.0.conv.weight'");
 }
 
 TEST(WeightsReader, RefusesSumsOfDifferentWidths) {
@@ -122,7 +123,7 @@ TEST(WeightsReader, RefusesSumsOfDifferentWidths) {
     const std::string name = std::string("context.pool.") + suffix;
     weights.tensors[name] = wider.tensors.at(name);
   }
-  expect_refused(weights, "layer 'context.pool': has 16 channels where 8 are added to it");
+  expect_file_refused(weights, "layer 'context.pool': has 16 channels where 8 are added to it");
 }
 
 TEST(WeightsReader, KnowsWhetherItIsCalibrated) {

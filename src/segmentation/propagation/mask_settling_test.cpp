@@ -5,12 +5,14 @@
 #include <opencv2/core.hpp>
 
 #include "core/test_folder.hpp"
+#include "segmentation/propagation/test_stage.hpp"
 #include "segmentation/srm/refinement.hpp"
 
 namespace stdc {
 namespace {
 
-constexpr double kUnits = 5000;
+using test::kUnits;
+
 const cv::Rect kBody(203, 101, 151, 262);
 
 cv::Mat depth_image(int type) {

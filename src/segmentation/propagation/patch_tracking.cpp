@@ -9,16 +9,16 @@ namespace {
 
 using Eigen::Vector2f;
 
-constexpr int kSide = 8, kHalf = 4, kPixels = kSide * kSide;
+constexpr int kPatchSide = 8, kHalf = 4, kPixels = kPatchSide * kPatchSide;
 constexpr float kFine = 0.04F, kCoarse = 0.15F;  // steps that end a search [px]
 using Patch = std::array<float, kPixels>;
 
 /// Sums eight columns, then the eight sums: the order that a compiler can vectorise without changing it.
 template <typename Term>
 float sum_of(Term&& term) {
-  std::array<float, kSide> columns{};
-  for (int row = 0; row < kPixels; row += kSide) {
-    for (int i = 0; i < kSide; ++i) columns[i] += term(row + i);
+  std::array<float, kPatchSide> columns{};
+  for (int row = 0; row < kPixels; row += kPatchSide) {
+    for (int i = 0; i < kPatchSide; ++i) columns[i] += term(row + i);
   }
   float sum = 0;
   for (const float column : columns) sum += column;
@@ -31,10 +31,10 @@ void weigh(const SmallFrame& frame, cv::Point at, int level, float same_surface,
   constexpr float kUnknown = 0.3F;
   const float middle = frame.depth_at(at.x, at.y);
   const int step = 1 << level;
-  for (int row = 0; row < kSide; ++row) {
+  for (int row = 0; row < kPatchSide; ++row) {
     const int y = at.y + (row - kHalf) * step;
-    float* out = weights.data() + row * kSide;
-    for (int i = 0; i < kSide; ++i) {
+    float* out = weights.data() + row * kPatchSide;
+    for (int i = 0; i < kPatchSide; ++i) {
       const int x = at.x + (i - kHalf) * step;
       if (!frame.contains(x, y)) {
         out[i] = 0;
@@ -51,13 +51,13 @@ class PatchSearch {
  public:
   /// False if it has too little texture in some direction.
   bool make(const SmallImage& image, cv::Point at, const Patch& weights) {
-    for (int row = 0; row < kSide; ++row) {
+    for (int row = 0; row < kPatchSide; ++row) {
       const std::uint8_t* from = image.row(at.y + row - kHalf) + at.x - kHalf;
       const std::uint8_t *above = from - image.stride(), *below = from + image.stride();
-      for (int i = 0; i < kSide; ++i) {
-        values_[row * kSide + i] = from[i];
-        x_[row * kSide + i] = 0.5F * static_cast<float>(from[i + 1] - from[i - 1]);
-        y_[row * kSide + i] = 0.5F * static_cast<float>(below[i] - above[i]);
+      for (int i = 0; i < kPatchSide; ++i) {
+        values_[row * kPatchSide + i] = from[i];
+        x_[row * kPatchSide + i] = 0.5F * static_cast<float>(from[i + 1] - from[i - 1]);
+        y_[row * kPatchSide + i] = 0.5F * static_cast<float>(below[i] - above[i]);
       }
     }
     const float total = sum_of([&](int i) { return weights[i]; });
@@ -131,12 +131,12 @@ class PatchSearch {
     const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const float w00 = (1 - fx) * (1 - fy), w01 = fx * (1 - fy), w10 = (1 - fx) * fy, w11 = fx * fy;
-    for (int row = 0; row < kSide; ++row) {
+    for (int row = 0; row < kPatchSide; ++row) {
       const std::uint8_t* upper = image.row(y0 + row - kHalf) + x0 - kHalf;
       const std::uint8_t* lower = upper + image.stride();
-      float* out = seen_.data() + row * kSide;
-      const float* values = values_.data() + row * kSide;
-      for (int i = 0; i < kSide; ++i) {
+      float* out = seen_.data() + row * kPatchSide;
+      const float* values = values_.data() + row * kPatchSide;
+      for (int i = 0; i < kPatchSide; ++i) {
         out[i] = w00 * static_cast<float>(upper[i]) + w01 * static_cast<float>(upper[i + 1]) +
                  w10 * static_cast<float>(lower[i]) + w11 * static_cast<float>(lower[i + 1]) - values[i];
       }

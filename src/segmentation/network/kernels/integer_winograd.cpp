@@ -19,7 +19,7 @@ void transform_three(const T* from, int step, int* to) {
 }
 
 /// 4 G g G^T of F(2, 3) for one 3x3 filter: whole numbers of at most 9 * 127.
-std::array<std::int16_t, kIntegerWinogradPoints> transform_filter(const std::int8_t* filter) {
+std::array<std::int16_t, kIntegerWinogradPoints> transform_integer_filter(const std::int8_t* filter) {
   std::array<int, 12> columns{};  // 4 x 3
   for (int x = 0; x < 3; ++x) transform_three(filter + x, 3, &columns[static_cast<std::size_t>(x)]);
   std::array<std::int16_t, kIntegerWinogradPoints> result{};
@@ -33,7 +33,7 @@ std::array<std::int16_t, kIntegerWinogradPoints> transform_filter(const std::int
 
 /// Tiles that are worked on together: their transformed inputs of one point should stay in the first cache,
 /// all their sums in the second.
-int tiles_at_once(int inputs, int outputs, int tiles) {
+int integer_tiles_at_once(int inputs, int outputs, int tiles) {
   constexpr int kInputs = 12288, kOutputs = 16384, kRows = 6, kFewest = 2 * kRows;
   const int fit = std::min(kInputs / inputs, kOutputs / outputs);
   return std::min(tiles, std::max(fit / kRows * kRows, kFewest));
@@ -61,7 +61,7 @@ struct IntegerWinograd::Implementation {
     constexpr std::size_t kStrip = kIntegerWinogradStrip;
     for (std::size_t o = 0; o < outputs; ++o) {
       for (std::size_t i = 0; i < inputs; ++i) {
-        const auto points = transform_filter(&levels[(o * inputs + i) * 9]);
+        const auto points = transform_integer_filter(&levels[(o * inputs + i) * 9]);
         const std::size_t place = (o / kStrip * inputs + i / 2 * 2) * kStrip + o % kStrip * 2 + i % 2;
         for (std::size_t p = 0; p < points.size(); ++p) to[p * inputs * outputs + place] = points[p];
       }
@@ -96,7 +96,7 @@ IntegerWinograd::IntegerWinograd(const ConvolutionWeights& layer, const TensorVi
              outputs = static_cast<std::size_t>(layer.outputs);
   const auto count = [](int size) { return (size + kIntegerWinogradTile - 1) / kIntegerWinogradTile; };
   own.tiles = count(target.shape.height) * count(target.shape.width);
-  own.at_once = tiles_at_once(layer.inputs, layer.outputs, own.tiles);
+  own.at_once = integer_tiles_at_once(layer.inputs, layer.outputs, own.tiles);
   constexpr std::size_t kApart = 32, kRoom = 8 * 64;  // not all points in the same lines of the cache
   own.job.input_stride = static_cast<std::size_t>(own.at_once) * inputs + kApart;
   own.job.output_stride = static_cast<std::size_t>(own.at_once) * outputs + kApart;

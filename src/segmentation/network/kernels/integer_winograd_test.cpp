@@ -12,7 +12,7 @@
 namespace stdc {
 namespace {
 
-ConvolutionWeights random_layer(int outputs, int inputs) {
+ConvolutionWeights random_integer_layer(int outputs, int inputs) {
   Random random(6);
   ConvolutionWeights layer{"layer", outputs, inputs, 3, 1, {}, {}, {}};
   for (int i = 0; i < outputs * inputs * 9; ++i)
@@ -49,7 +49,7 @@ constexpr ConvolutionOptions kOptions{1, 1, true, 0.02F, 0.5F, 127};
 
 TEST(IntegerWinograd, SumsAreThoseOfTheDefinition) {
   for (const auto& [outputs, inputs] : {std::pair{16, 16}, {48, 32}, {32, 144}}) {
-    const ConvolutionWeights layer = random_layer(outputs, inputs);
+    const ConvolutionWeights layer = random_integer_layer(outputs, inputs);
     const QuantisedWeights quantised = quantise(layer, kOptions.weight_levels);
     // Whole tiles, parts of tiles, fewer rows than a tile, more tiles than are done at once.
     for (const auto& [height, width] : {std::pair{8, 12}, {15, 21}, {2, 3}, {1, 1}, {30, 41}}) {
@@ -85,7 +85,7 @@ TEST(IntegerWinograd, SumsAreThoseOfTheDefinition) {
 }
 
 TEST(IntegerWinograd, LevelsAreThoseOfTheOtherKernels) {
-  const ConvolutionWeights layer = random_layer(32, 48);
+  const ConvolutionWeights layer = random_integer_layer(32, 48);
   TensorArena arena;
   const Tensor source = random_levels(arena, {48, 17, 22}, 128);  // pairs of products fit 16 bits
   DnnlEngine engine;
@@ -110,11 +110,11 @@ TEST(IntegerWinograd, LevelsAreThoseOfTheOtherKernels) {
 TEST(IntegerWinograd, KnowsWhatItCannotDo) {
   const TensorView bytes{{32, 8, 8}, ElementType::u8, 32, 32, nullptr},
       reals{{32, 8, 8}, ElementType::f32, 32, 32, nullptr};
-  EXPECT_TRUE(IntegerWinograd::fits(random_layer(32, 32), bytes, reals));
-  EXPECT_FALSE(IntegerWinograd::fits(random_layer(32, 32), reals, reals));
-  EXPECT_FALSE(IntegerWinograd::fits(random_layer(24, 32), bytes, bytes));
-  EXPECT_FALSE(IntegerWinograd::fits(random_layer(32, 24), bytes, bytes));
-  ConvolutionWeights layer = random_layer(32, 32);
+  EXPECT_TRUE(IntegerWinograd::fits(random_integer_layer(32, 32), bytes, reals));
+  EXPECT_FALSE(IntegerWinograd::fits(random_integer_layer(32, 32), reals, reals));
+  EXPECT_FALSE(IntegerWinograd::fits(random_integer_layer(24, 32), bytes, bytes));
+  EXPECT_FALSE(IntegerWinograd::fits(random_integer_layer(32, 24), bytes, bytes));
+  ConvolutionWeights layer = random_integer_layer(32, 32);
   layer.stride = 2;
   EXPECT_FALSE(IntegerWinograd::fits(layer, bytes, bytes));
 }

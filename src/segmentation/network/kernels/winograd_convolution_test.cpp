@@ -16,11 +16,11 @@ using test::on_every_target;
 using test::Planes;
 using test::ReferenceNetwork;
 
-float& element(const TensorView& view, int c, int y, int x) {
+float& winograd_element(const TensorView& view, int c, int y, int x) {
   return view.floats()[view.offset(c / view.block, y, x) + static_cast<std::size_t>(c % view.block)];
 }
 
-ConvolutionWeights random_layer(int outputs, int inputs) {
+ConvolutionWeights random_winograd_layer(int outputs, int inputs) {
   Random random(6);
   ConvolutionWeights layer{"layer", outputs, inputs, 3, 1, {}, {}, {}};
   for (int i = 0; i < outputs * inputs * 9; ++i)
@@ -31,7 +31,7 @@ ConvolutionWeights random_layer(int outputs, int inputs) {
 
 TEST(WinogradConvolution, EqualsTheDefinition) {
   for (const auto& [outputs, inputs] : {std::pair{8, 8}, {24, 16}, {40, 72}}) {
-    const ConvolutionWeights layer = random_layer(outputs, inputs);
+    const ConvolutionWeights layer = random_winograd_layer(outputs, inputs);
     // Whole tiles, parts of tiles, fewer rows than a tile, more tiles than are done at once.
     for (const auto& [height, width] : {std::pair{8, 12}, {15, 21}, {2, 3}, {1, 1}, {50, 70}}) {
       TensorArena arena;
@@ -41,7 +41,8 @@ TEST(WinogradConvolution, EqualsTheDefinition) {
       for (int c = 0; c < inputs; ++c) {
         for (int y = 0; y < height; ++y) {
           for (int x = 0; x < width; ++x) {
-            values.at(c, y, x) = element(source.view, c, y, x) = static_cast<float>(random.uniform(-1, 1));
+            values.at(c, y, x) = winograd_element(source.view, c, y, x) =
+                static_cast<float>(random.uniform(-1, 1));
           }
         }
       }
@@ -59,14 +60,14 @@ TEST(WinogradConvolution, EqualsTheDefinition) {
         for (int c = 0; c < outputs; ++c) {
           for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
-              worst = std::max(worst, std::abs(element(target, c, y, x) - truth.at(c, y, x)));
+              worst = std::max(worst, std::abs(winograd_element(target, c, y, x) - truth.at(c, y, x)));
             }
           }
         }
         EXPECT_LT(worst, 2e-5 * max_value + 1e-5)
             << outputs << "<-" << inputs << ", " << width << " x " << height;
         for (const int c : {0, 7, outputs + 8, outputs + 15}) {
-          EXPECT_EQ(element(whole.view, c, height - 1, width - 1), -7);
+          EXPECT_EQ(winograd_element(whole.view, c, height - 1, width - 1), -7);
         }
       });
     }
@@ -78,7 +79,7 @@ TEST(WinogradConvolution, SaysWhatItCannotDo) {
   const Tensor blocked = arena.make({16, 8, 8}, ElementType::f32, 8),
                wide = arena.make({16, 8, 8}, ElementType::f32, 16),
                levels = arena.make({16, 8, 8}, ElementType::u8, 8);
-  ConvolutionWeights layer = random_layer(16, 16);
+  ConvolutionWeights layer = random_winograd_layer(16, 16);
   EXPECT_TRUE(WinogradConvolution::suits(layer, blocked.view, blocked.view));
   EXPECT_FALSE(WinogradConvolution::suits(layer, wide.view, blocked.view));
   EXPECT_FALSE(WinogradConvolution::suits(layer, blocked.view, levels.view));
