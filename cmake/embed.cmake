@@ -1,8 +1,12 @@
-# stdc_embed(TARGET FUNCTION FILE): makes the file part of the target. Declare the function where it is used, as
+# stdc_embed(TARGET FUNCTION FILE [NAMESPACE stdc]): makes the file part of the target. Declare the function where it is used, as
 #   namespace stdc::app { std::string_view FUNCTION(); }
-# it gives the file's bytes. The assembler takes them in, which costs no compile time, whatever the size; the checksum
+# (or in the namespace that is given). It gives the file's bytes. The assembler takes them in, which costs no compile time, whatever the size; the checksum
 # in the source tells ccache that the file has changed.
 function(stdc_embed target function file)
+  cmake_parse_arguments(EMBED "" "NAMESPACE" "" ${ARGN})
+  if(NOT EMBED_NAMESPACE)
+    set(EMBED_NAMESPACE stdc::app)
+  endif()
   get_filename_component(path ${file} ABSOLUTE)
   file(SHA256 ${path} checksum)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded_${function}.cpp)
@@ -23,7 +27,7 @@ extern const char stdc_@function@_begin[];
 extern const char stdc_@function@_end[];
 }
 
-namespace stdc::app {
+namespace @EMBED_NAMESPACE@ {
 
 std::string_view @function@();
 
@@ -31,7 +35,7 @@ std::string_view @function@() {
   return {stdc_@function@_begin, static_cast<std::size_t>(stdc_@function@_end - stdc_@function@_begin)};
 }
 
-}  // namespace stdc::app
+}  // namespace @EMBED_NAMESPACE@
 ]])
   target_sources(${target} PRIVATE ${source})
   set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON OBJECT_DEPENDS ${path})

@@ -13,7 +13,7 @@ set(STDC_PUBLIC_HEADERS
   input/open_source.hpp input/frame_decoder.hpp input/camera_file.hpp input/tum_calibration.hpp input/trajectory.hpp
   input/ground_truth.hpp
   features/extractor.hpp segmentation/segmenter.hpp
-  dense/export/mesh_files.hpp evaluation/trajectory_error.hpp)
+  dense/export/mesh_files.hpp evaluation/trajectory_error.hpp viewer/view_server.hpp)
 
 # The headers of a list with all that they include, relative to src/.
 function(stdc_with_included result)
@@ -36,7 +36,7 @@ endfunction()
 
 # One library of the objects of all layers.
 set(layers core features estimation segmentation input evaluation atlas place_recognition tracking mapping loop_closing
-  motion dense slam)
+  motion dense slam viewer)
 add_library(stdc_slam_package)
 add_library(stdc_slam::stdc_slam ALIAS stdc_slam_package)
 set_target_properties(stdc_slam_package PROPERTIES OUTPUT_NAME stdc_slam EXPORT_NAME stdc_slam LINKER_LANGUAGE CXX

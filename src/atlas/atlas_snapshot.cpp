@@ -22,6 +22,21 @@ void AtlasSnapshot::add_keyframe(const Atlas& atlas, KeyframeId id) {
   if (kept.keyframe != id) return;
   ++keyframe_count_;
   if (atlas.root(keyframe.map) == id) ++map_count_;
+  add_edges(keyframe);
+}
+
+/// Each edge once: with its younger end. Both ends are in the atlas.
+void AtlasSnapshot::add_edges(const Keyframe& keyframe) {
+  int added = 0;
+  for (const Covisible& other : keyframe.covisible) {
+    if (added == kMaxEdges) break;
+    if (other.keyframe > keyframe.id) continue;
+    covisibility_.push_back({keyframe.id, other.keyframe, other.shared});
+    ++added;
+  }
+  for (const KeyframeId other : keyframe.loops) {
+    if (other < keyframe.id) loops_.push_back({keyframe.id, other, 0});
+  }
 }
 
 void AtlasSnapshot::add_landmarks(const Atlas& atlas, std::size_t first) {

@@ -31,6 +31,16 @@ class AtlasSnapshot {
   /// Pose of a camera that was last seen from a keyframe; as that keyframe is known now.
   Pose cam_from_world(KeyframeId reference, const Pose& cam_from_reference) const;
 
+  /// Keyframes that belong together. `a` is the younger one.
+  struct Edge {
+    KeyframeId a, b;
+    int shared = 0;  ///< landmarks that both see; of loops: 0
+  };
+  /// Of each keyframe the kMaxEdges older ones that share most landmarks with it; for drawing.
+  const std::vector<Edge>& covisibility() const { return covisibility_; }
+  const std::vector<Edge>& loops() const { return loops_; }
+  static constexpr int kMaxEdges = 8;
+
   int map_count() const { return map_count_; }  ///< maps that were not joined to others
   int keyframe_count() const { return keyframe_count_; }
   int landmark_count() const { return static_cast<int>(landmarks_.size()); }
@@ -43,10 +53,12 @@ class AtlasSnapshot {
     MapId map;
   };
   void add_keyframe(const Atlas& atlas, KeyframeId id);
+  void add_edges(const Keyframe& keyframe);
   void add_landmarks(const Atlas& atlas, std::size_t first);
 
   std::vector<KeyframeState> keyframes_;
   std::vector<LandmarkState> landmarks_;
+  std::vector<Edge> covisibility_, loops_;
   int map_count_ = 0, keyframe_count_ = 0;
 };
 

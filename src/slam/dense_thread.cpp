@@ -1,9 +1,8 @@
 #include "slam/dense_thread.hpp"
 
-#include <sys/resource.h>
-
 #include <utility>
 
+#include "core/give_way.hpp"
 #include "core/stopwatch.hpp"
 
 namespace stdc {
@@ -43,6 +42,11 @@ DenseViews DenseThread::views() {
   return collector_.views();
 }
 
+DenseViews DenseThread::views_so_far() {
+  const std::lock_guard lock(mutex_);
+  return closed_;
+}
+
 DenseThread::Usage DenseThread::usage() {
   std::unique_lock lock(mutex_);
   wait_until_idle(lock);
@@ -50,9 +54,7 @@ DenseThread::Usage DenseThread::usage() {
 }
 
 void DenseThread::run() {
-  // Gives way to the tracker: of this thread alone, as Linux has it. If it fails, it does not.
-  constexpr int kGiveWay = 10;
-  setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kGiveWay);
+  give_way();  // to the tracker
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stop_ || !queue_.empty(); });
@@ -62,12 +64,16 @@ void DenseThread::run() {
     busy_ = true;
     lock.unlock();
     std::exception_ptr fault;
+    const int closed_before = collector_.closed();
+    DenseViews closed;
     try {
       collector_.add(frame);
+      if (collector_.closed() != closed_before) closed = collector_.closed_views();
     } catch (...) {
       fault = std::current_exception();
     }
     lock.lock();
+    if (!closed.empty()) closed_ = std::move(closed);
     usage_ = {thread_cpu_ms(), usage_.frames + 1};
     busy_ = false;
     if (fault) fault_ = fault;

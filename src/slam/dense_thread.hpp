@@ -23,6 +23,9 @@ class DenseThread {
   void add(DenseFrame frame);
   /// All views so far, waiting for the frames in the queue.
   DenseViews views();
+  /// Views that are done by now, without waiting: which ones depends on how fast the machine is, so they are
+  /// for looking at only.
+  DenseViews views_so_far();
   /// Views of a loaded map, before the first frame.
   void set_views(const std::vector<PlacedView>& views, MapId map) { collector_.set_views(views, map); }
   const Pinhole& pinhole() const { return collector_.pinhole(); }
@@ -41,6 +44,7 @@ class DenseThread {
   std::size_t capacity_;
   std::mutex mutex_;
   std::condition_variable changed_;
+  DenseViews closed_;
   std::deque<DenseFrame> queue_;  ///< the first is being worked on, if `busy_`
   bool busy_ = false, stop_ = false;
   std::exception_ptr fault_;

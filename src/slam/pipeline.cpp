@@ -142,7 +142,7 @@ TrackingStatus Pipeline::track_from_last(TrackedFrame& frame, StageTimes& times)
   return TrackingStatus::ok;
 }
 
-void Pipeline::describe(const TrackedFrame& frame, TrackingResult& result) const {
+void Pipeline::describe(const TrackedFrame& frame, TrackingResult& result) {
   result.frame = frame.index;
   result.timestamp = frame.timestamp;
   if (has_pose(result.status)) {
@@ -155,13 +155,21 @@ void Pipeline::describe(const TrackedFrame& frame, TrackingResult& result) const
   const FrameFeatures& features = *frame.features;
   result.keypoints_high = features.count(KeypointQuality::high);
   result.keypoints_low = features.size() - result.keypoints_high;
+  seen_.features = frame.features;
+  seen_.states.clear();
+  for (int i = 0; i < features.size(); ++i) {
+    seen_.states.push_back(frame.outlier[i] != 0        ? KeypointState::outlier
+                           : frame.landmarks[i].valid() ? KeypointState::inlier
+                                                        : KeypointState::unmatched);
+  }
   if (!settings_.system.report_keypoints) return;
   result.keypoints = features.keypoints();
-  for (int i = 0; i < features.size(); ++i) {
-    result.keypoint_states.push_back(frame.outlier[i] != 0        ? KeypointState::outlier
-                                     : frame.landmarks[i].valid() ? KeypointState::inlier
-                                                                  : KeypointState::unmatched);
-  }
+  result.keypoint_states = seen_.states;
+}
+
+FrameView Pipeline::last_frame() const {
+  if (!seen_.features) return {};
+  return {seen_.features->keypoints(), seen_.states, segmented_, moving_};
 }
 
 }  // namespace stdc

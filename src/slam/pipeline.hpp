@@ -11,6 +11,7 @@
 #include "features/extractor.hpp"
 #include "slam/back_end.hpp"
 #include "slam/dense_thread.hpp"
+#include "slam/frame_view.hpp"
 #include "slam/motion_thread.hpp"
 #include "slam/relocaliser.hpp"
 #include "slam/semantic_thread.hpp"
@@ -44,6 +45,11 @@ class Pipeline {
   KeyframeId first_own_keyframe() const { return first_own_keyframe_; }
   /// Views of the static scene, those of a loaded map included, by time; waits for the frames under way.
   DenseViews dense_views() const;
+  /// Those of them that are done, without waiting; for looking at only.
+  DenseViews dense_views_so_far() const { return dense_ ? dense_->views_so_far() : loaded_views_; }
+  /// What was found in the last frame.
+  FrameView last_frame() const;
+  MapId active_map() const { return active_map_; }
   /// CPU time of the thread that makes them.
   DenseThread::Usage dense_usage() const { return dense_ ? dense_->usage() : DenseThread::Usage(); }
 
@@ -53,6 +59,11 @@ class Pipeline {
     double timestamp = 0;
     KeyframeId reference;
     Pose frame_from_reference;
+  };
+
+  struct SeenFrame {
+    std::shared_ptr<const FrameFeatures> features;  ///< null: there was no frame
+    std::vector<KeypointState> states;
   };
 
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
@@ -80,7 +91,7 @@ class Pipeline {
   void record(const TrackedFrame& frame);
   void note_dense(const RgbdImage& image, const TrackedFrame& frame);
   void hand_over_dense();
-  void describe(const TrackedFrame& frame, TrackingResult& result) const;
+  void describe(const TrackedFrame& frame, TrackingResult& result);
 
   SensorModel sensor_;
   Settings settings_;
@@ -91,6 +102,8 @@ class Pipeline {
   Relocaliser relocaliser_;
   LocalMap local_map_;
   cv::Mat segmented_;                     ///< the present frame's mask of the segmenter; empty: none
+  cv::Mat moving_;                        ///< what was expected to move in it; empty: nothing
+  SeenFrame seen_;                        ///< in the last frame, for drawing
   bool covered_ = false;                  ///< most of the view moved when it was last tracked
   int unsupported_frames_ = 0;            ///< tracked in a row by temporary points alone
   bool landmarks_removed_ = false;        ///< since the snapshot was made

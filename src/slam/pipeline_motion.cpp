@@ -18,6 +18,7 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
   Stopwatch watch;
   cv::Mat mask;
   segmented_.release();
+  moving_.release();
   if (semantics_) {
     DynamicMask dynamic = semantics_->finish();
     mask = segmented_ = dynamic.mask;
@@ -35,6 +36,7 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
       constexpr double kCovered = 0.5;
       result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
       covered_ = result.motion->dynamic_share > kCovered;
+      moving_ = moving;
       mask = mask.empty() ? moving : cv::Mat(mask | moving);
     }
   }

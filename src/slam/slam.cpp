@@ -62,6 +62,21 @@ std::vector<Eigen::Vector3d> Slam::landmark_positions(MapId map) const {
   return pipeline_->snapshot().landmark_positions(map);
 }
 
+MapId Slam::active_map() const { return pipeline_->active_map(); }
+AtlasSnapshot Slam::snapshot() const { return pipeline_->snapshot(); }
+FrameView Slam::last_frame() const { return pipeline_->last_frame(); }
+
+Slam::DenseSoFar Slam::dense_so_far() const {
+  return {place_views(pipeline_->dense_views_so_far(), pipeline_->snapshot(), pipeline_->active_map()),
+          pinhole_of(pipeline_->camera()), dense_};
+}
+
+TriangleMesh Slam::DenseSoFar::mesh(double voxel, int threads) const {
+  DenseSettings chosen = settings;
+  chosen.voxel = voxel;
+  return make_mesh(views, pinhole, chosen, threads);
+}
+
 std::vector<PlacedView> Slam::dense_views(MapId map) const {
   return place_views(pipeline_->dense_views(), pipeline_->snapshot(), map);
 }

@@ -4,11 +4,13 @@
 #include <memory>
 #include <vector>
 
+#include "atlas/atlas_snapshot.hpp"
 #include "core/camera.hpp"
 #include "core/rgbd_image.hpp"
 #include "dense/fusion/make_field.hpp"
 #include "dense/mesh/triangle_mesh.hpp"
 #include "segmentation/segmenter.hpp"
+#include "slam/frame_view.hpp"
 #include "slam/settings.hpp"
 #include "slam/tracking_result.hpp"
 
@@ -71,6 +73,26 @@ class Slam {
   int landmarks() const;
   /// Positions of the landmarks of a map [m, its world]; for drawing.
   std::vector<Eigen::Vector3d> landmark_positions(MapId map = {0}) const;
+
+  // For a live view. As cheap and as harmless as what is above.
+
+  /// The map that is tracked in; invalid: none yet.
+  MapId active_map() const;
+  /// Keyframes, edges between them and landmarks of all maps: a copy for another thread to look at.
+  AtlasSnapshot snapshot() const;
+  /// What was found in the last frame, and what kept keypoints out of it.
+  FrameView last_frame() const;
+  /// What a mesh is made of, for another thread to make it: the views that are done by now, without waiting
+  /// for others. Which ones those are depends on how fast the machine is.
+  struct DenseSoFar {
+    std::vector<PlacedView> views;
+    Pinhole pinhole;
+    DenseSettings settings;
+    bool empty() const { return views.empty(); }
+    /// @param threads  0: one for each core
+    TriangleMesh mesh(double voxel, int threads) const;
+  };
+  DenseSoFar dense_so_far() const;
 
   // The dense map, with `dense.active` or a loaded map that carries one. These wait for the frames that are
   // being fused; results do not change.

@@ -1,11 +1,37 @@
 #include "commands/command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 
 namespace stdc::app {
+namespace {
+
+constexpr char kOptionalMark = '[';  ///< begins the type's name of an option whose value may be left out
+
+bool is_number(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// CLI11 would take the next word for a value that was left out, whatever it is: the value that is meant is
+/// written out.
+std::vector<std::string> with_missing_numbers(const CLI::App& app, std::vector<std::string> words) {
+  if (words.empty()) return words;
+  const auto subcommands =
+      app.get_subcommands([&](const CLI::App* one) { return one->get_name() == words[0]; });
+  if (subcommands.empty()) return words;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const CLI::Option* option = subcommands[0]->get_option_no_throw(words[i]);
+    if (option == nullptr || !option->get_type_name().starts_with(kOptionalMark)) continue;
+    const bool is_given = i + 1 < words.size() && is_number(words[i + 1]);
+    if (!is_given) words[i] += "=" + option->get_default_str();
+  }
+  return words;
+}
+
+}  // namespace
 
 CommandOption& CommandOption::required() {
   option_->required();
@@ -24,6 +50,11 @@ CommandOption& CommandOption::capture_default_str() {
 
 CommandOption& CommandOption::one_value_each() {
   option_->allow_extra_args(false);
+  return *this;
+}
+
+CommandOption& CommandOption::optional_number(const std::string& name, const std::string& missing) {
+  option_->type_name(kOptionalMark + name + "]")->default_str(missing);
   return *this;
 }
 
@@ -91,7 +122,10 @@ Program::~Program() = default;
 
 int Program::run(int argc, char** argv) {
   try {
-    app_->parse(argc, argv);
+    app_->name(argc > 0 ? argv[0] : "stdc-slam");
+    std::vector<std::string> words = with_missing_numbers(*app_, {argv + std::min(argc, 1), argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 has it
+    app_->parse(std::move(words));
     return 0;
   } catch (const CLI::ParseError& error) {
     constexpr int kBadInput = 2;

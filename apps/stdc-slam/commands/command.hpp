@@ -25,6 +25,9 @@ class CommandOption {
   CommandOption& capture_default_str();
   /// Each use takes one value: what follows is no second one.
   CommandOption& one_value_each();
+  /// The value, a number, may be left out: then it is `missing`.
+  /// @param name  what stands for it in the help, for instance "PORT"
+  CommandOption& optional_number(const std::string& name, const std::string& missing);
   /// Several values in one word, divided by this.
   CommandOption& delimiter(char divider);
   /// Any other value is refused.

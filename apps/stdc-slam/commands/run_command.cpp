@@ -94,6 +94,17 @@ void add_options(Command command, RunOptions& options) {
       .needs(inpaint);
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
+  const CommandOption view =
+      command
+          .add_option("--view", options.view.port,
+                      "Show the run in a browser while it goes on, at http://localhost:PORT/")
+          .optional_number("PORT", "8080");
+  command
+      .add_option("--view-address", options.view.address,
+                  "Address of this machine to show it at to others too, 0.0.0.0 for all; the link, which is "
+                  "printed, then has a token")
+      .needs(view);
+  command.add_flag("--view-wait", options.view.wait, "Begin when somebody looks").needs(view);
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
   command.footer(kFooter);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/rgbd_image.hpp"
 #include "slam/tracking_result.hpp"
 
@@ -23,6 +25,8 @@ class FrameObserver {
 
   /// Image and result are there only during the call.
   virtual void on_frame(const ObservedFrame& frame) = 0;
+  /// After the last frame and Slam::finish(), which has closed these loops.
+  virtual void on_end(const std::vector<LoopReport>& loops) { static_cast<void>(loops); }
 };
 
 }  // namespace stdc::app

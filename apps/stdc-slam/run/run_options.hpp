@@ -7,6 +7,7 @@
 
 #include "commands/segmentation_options.hpp"
 #include "commands/settings_options.hpp"
+#include "run/live_view.hpp"
 #include "run/run_dense.hpp"
 #include "run/sequence_input.hpp"
 
@@ -19,6 +20,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> debug_images, save_masks, true_masks, inpaint;
   std::optional<std::filesystem::path> load_map, save_map;
   DenseOptions dense;
+  LiveViewOptions view;
   SettingsOptions settings;
   SegmentationOptions segmentation;
   int debug_every = 10;            ///< a picture of every n-th frame

@@ -11,6 +11,7 @@
 #include "report/run_summary.hpp"
 #include "run/inpaint_sequence.hpp"
 #include "run/interrupt_watch.hpp"
+#include "run/live_view.hpp"
 #include "run/mask_check.hpp"
 #include "run/run_checks.hpp"
 #include "run/run_dense.hpp"
@@ -129,13 +130,21 @@ bool run_sequence(const RunOptions& options) {
   const Settings settings = run_settings(options);
   const SequenceInput input(options.input);
   auto segmenter = run_segmenter(options, settings, input);
+  std::optional<LiveView> view;
+  if (options.view.port)
+    view.emplace(options.view, input, settings, options.realtime, options.quiet, interrupts);
   RunOutputs outputs(options, settings, input);
   RunRecord record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
+  std::vector<FrameObserver*> observers = outputs.observers();
+  if (view) {
+    view->begin(slam);
+    observers.push_back(&*view);
+  }
   track_frames(
       input, {outputs.dense ? ColourMode::as_stored : colour_mode(settings), options.realtime, options.quiet},
-      interrupts, slam, record, outputs.observers());
+      interrupts, slam, record, observers);
 
   const std::vector<FramePose> poses =
       settings.system.localisation_only ? record.tracked_poses() : slam.trajectory();

@@ -110,8 +110,10 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
     progress.update(frame->index + 1);
   }
   check_end(input, record.counts().total(), progress);
-  for (const LoopReport& loop : slam.finish()) record.add(loop);
+  const std::vector<LoopReport> loops = slam.finish();
+  for (const LoopReport& loop : loops) record.add(loop);
   record.set_processing_seconds(1e-3 * stopwatch.lap_ms());
+  for (FrameObserver* observer : observers) observer->on_end(loops);
 }
 
 }  // namespace stdc::app

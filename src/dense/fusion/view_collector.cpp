@@ -69,6 +69,7 @@ void ViewCollector::close() {
                                                            open_->world_from_cam, open_->map)});
   coverage_.add(kept_.back().cells);
   open_.reset();
+  ++closed_;
   drop_redundant();
 }
 
@@ -94,9 +95,14 @@ void ViewCollector::set_views(const std::vector<PlacedView>& views, MapId map) {
   }
 }
 
-DenseViews ViewCollector::views() const {
+DenseViews ViewCollector::closed_views() const {
   DenseViews all;
   for (const Kept& kept : kept_) all.push_back(kept.view);
+  return all;
+}
+
+DenseViews ViewCollector::views() const {
+  DenseViews all = closed_views();
   if (open_) all.push_back(encoded(*open_));
   return all;
 }

@@ -62,6 +62,10 @@ class ViewCollector {
   void set_views(const std::vector<PlacedView>& views, MapId map);
   /// All views, that under way included.
   DenseViews views() const;
+  /// Those that are done: cheap.
+  DenseViews closed_views() const;
+  /// How many have been closed so far, dropped ones included.
+  int closed() const { return closed_; }
 
  private:
   struct OpenView {
@@ -85,6 +89,7 @@ class ViewCollector {
   std::vector<Kept> kept_;
   ViewCoverage coverage_;
   std::optional<OpenView> open_;
+  int closed_ = 0;
 };
 
 }  // namespace stdc

@@ -1,0 +1,356 @@
+import { currentTheme } from "./colours";
+import { Chart, ChartData } from "./chart";
+import { Connection } from "./connection";
+import { okabe } from "./colours";
+import { Model } from "./model";
+import { Picture } from "./picture";
+import { drawPlan } from "./plan";
+import * as protocol from "./protocol";
+import { Status, Topic, Want } from "./protocol";
+import { Layer, Scene3D, ViewMode } from "./scene";
+import { wordsFor } from "./words";
+
+const element = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+const model = new Model();
+let connected = false, ended = false, stranger = "";
+let hover: number | null = null, wholeRun = false;
+let scene: Scene3D | null = null;
+
+const picture = new Picture(element<HTMLCanvasElement>("picture"), { depth: false, points: true, masks: true },
+  (image) => scene?.setImage(image));
+
+// ---- three dimensions, or a plan where there is no WebGL
+
+function startScene() {
+  try {
+    scene = new Scene3D(element<HTMLCanvasElement>("scene"), pickKeyframe);
+  } catch {
+    element("no-webgl").hidden = false;
+    element("scene").hidden = true;
+    element("plan").hidden = false;
+    for (const id of ["modes", "fit", "layers", "scale"]) element(id).hidden = true;
+  }
+  scene?.setTheme(currentTheme());
+}
+
+function pickKeyframe(frame: number | null) {
+  element("keyframe").hidden = frame === null;
+  if (frame === null) return;
+  element("keyframe-title").textContent = `Keyframe at frame ${frame}`;
+  element("keyframe-note").textContent = "…";
+  element<HTMLImageElement>("keyframe-image").removeAttribute("src");
+  connection.send(`keyframe ${frame}`);
+}
+
+let keyframeUrl = "";
+function showKeyframe(bytes: Uint8Array) {
+  const { frame, image } = protocol.decodeKeyframe(bytes);
+  if (element("keyframe").hidden) return;
+  const at = model.map ? model.map.keyframeFrames.indexOf(frame) : -1;
+  let shared = 0;
+  model.map?.covisible.forEach((keyframe) => { if (keyframe === at) ++shared; });
+  URL.revokeObjectURL(keyframeUrl);
+  const picture = element<HTMLImageElement>("keyframe-image");
+  picture.hidden = image === null;
+  if (image) picture.src = keyframeUrl = URL.createObjectURL(image);
+  element("keyframe-note").textContent =
+    `${shared} edges to others${image ? "" : ". Its image is no longer kept"}`;
+}
+
+// ---- curves
+
+interface Curve { chart: Chart; data(first: number): ChartData; value: HTMLElement; say(index: number): string }
+
+const percent = (share: number) => `${(100 * share).toFixed(share > 0.995 && share < 1 ? 2 : 0)} %`;
+
+function statusColour(status: Status): string | null {
+  switch (status) {
+    case Status.uncertain: return okabe.orange;
+    case Status.lost: return okabe.vermillion;
+    case Status.skipped: return "#888888";
+    case Status.initialising: return "#bbbbbb";
+    default: return null;
+  }
+}
+
+function curve(id: string, make: (first: number) => Omit<ChartData, "count" | "first">, say: (index: number) => string): Curve {
+  return {
+    chart: new Chart(element<HTMLCanvasElement>(`chart-${id}`), (index) => { hover = index; dirty.curves = true; }),
+    data: (first) => ({ ...make(first), count: model.frames.length, first }),
+    value: element(`value-${id}`),
+    say,
+  };
+}
+
+const frameAt = (index: number) => model.frames[index]!;
+const curves: Curve[] = [
+  curve("time", () => ({
+    series: [{ colour: currentTheme().path, value: (i) => frameAt(i).ms }],
+    limit: { value: model.period, label: `camera ${model.period.toFixed(0)} ms` },
+    marks: (i) => (frameAt(i).ms > model.period ? okabe.vermillion : null),
+    format: (v) => `${v.toFixed(0)} ms`,
+  }), (i) => `${frameAt(i).ms.toFixed(1)} ms`),
+  curve("inliers", () => ({
+    series: [{ colour: currentTheme().keyframe, value: (i) => frameAt(i).inliers }],
+    format: (v) => v.toFixed(0),
+  }), (i) => `${frameAt(i).inliers}`),
+  curve("dynamic", () => ({
+    series: [
+      { colour: okabe.purple, value: (i) => frameAt(i).network },
+      { colour: okabe.orange, dashed: true, value: (i) => frameAt(i).motion },
+    ],
+    max: Math.max(0.25, ...model.frames.slice(-2000).map((f) => Math.max(f.network, f.motion))),
+    format: percent,
+  }), (i) => `network ${percent(frameAt(i).network)}, motion ${percent(frameAt(i).motion)}`),
+  curve("coverage", () => ({
+    series: [{ colour: currentTheme().ink, value: (i) => model.coverage[i]! }],
+    max: 1, min: 0,
+    marks: (i) => statusColour(frameAt(i).status),
+    format: percent,
+  }), (i) => percent(model.coverage[i]!)),
+];
+
+function drawCurves() {
+  const count = model.frames.length, theme = currentTheme();
+  const first = wholeRun ? 0 : Math.max(0, count - 600);
+  for (const one of curves) {
+    one.chart.setHover(hover);
+    one.chart.draw(one.data(first), theme);
+    const index = hover !== null && hover < count ? hover : count - 1;
+    one.value.textContent = index >= 0 ? one.say(index) : "";
+  }
+  const named = hover !== null && hover < count ? `frame ${frameAt(hover).frame}` : "";
+  element("hovered").textContent = named;
+}
+
+// ---- words
+
+function drawWords() {
+  const words = wordsFor(model, connected, ended), state = model.state;
+  const chip = element("status");
+  chip.dataset.mood = stranger ? "bad" : words.mood;
+  element("sign").textContent = stranger ? "✕" : words.sign;
+  element("status-text").textContent = stranger || words.text;
+  element("notes").textContent = words.notes.join(" · ");
+  element("notes").hidden = words.notes.length === 0;
+  if (!state) return;
+  document.title = `${state.name} · STDC-SLAM`;
+  element("name").textContent = state.name;
+  const count = model.frames.length, all = state.expected_frames;
+  element("progress-text").textContent = all ? `${count} of ${all} frames` : `${count} frames`;
+  element<HTMLProgressElement>("progress").hidden = !all;
+  if (all) Object.assign(element<HTMLProgressElement>("progress"), { max: all, value: Math.min(count, all) });
+  const facts = [`${state.keyframes} keyframes`, `${state.landmarks.toLocaleString("en")} landmarks`,
+    `${state.loops} ${state.loops === 1 ? "loop" : "loops"}`];
+  if (state.mesh_triangles > 0) {
+    facts.push(`${Math.round(state.mesh_triangles / 1000).toLocaleString("en")}k triangles at ${(100 * state.mesh_voxel).toFixed(0)} cm`);
+  }
+  if (state.ate !== null) facts.push(`error ${(100 * state.ate).toFixed(1)} cm (RMSE)`);
+  element("facts").textContent = facts.join(" · ");
+  const over = ended || state.finished;
+  element("controls").hidden = !state.can_pause || over;
+  element("pause").textContent = state.paused ? "▶ Go on" : "‖ Pause";
+  element("pause").setAttribute("aria-pressed", String(state.paused));
+  element("layer-truth").hidden = !state.truth;
+  element("layer-mesh").hidden = !state.dense;
+  element("mesh-hint").hidden = state.dense;
+  element("mask-network").hidden = !state.network;
+  element("mask-motion").hidden = !state.motion;
+  drawEvents(state.events);
+}
+
+let drawnEvents = "";
+function drawEvents(events: { frame: number; text: string }[]) {
+  const key = JSON.stringify(events);
+  if (key === drawnEvents) return;
+  drawnEvents = key;
+  const list = element("events");
+  list.replaceChildren(...[...events].reverse().map(({ frame, text }) => {
+    const row = document.createElement("li"), when = document.createElement("span");
+    when.textContent = `${frame}`;
+    row.append(when, text);
+    return row;
+  }));
+  element("no-events").hidden = events.length > 0;
+}
+
+// ---- what is drawn anew at the next picture
+
+const dirty = { words: true, curves: true, path: true };
+
+function draw() {
+  requestAnimationFrame(draw);
+  if (dirty.words) drawWords();
+  if (dirty.curves && element("chart-time").clientWidth > 0) drawCurves();
+  if (dirty.path) {
+    const posed = model.lastPosed;
+    scene?.setPath(model.path());
+    scene?.setPose(posed && (!model.map || posed.map === model.map.map) ? posed.pose : null);
+    if (!scene) drawPlan(element<HTMLCanvasElement>("plan"), model, currentTheme());
+  }
+  if (scene) {
+    const bar = scene.scaleBar();
+    element("scale").style.width = `${bar.pixels.toFixed(0)}px`;
+    element("scale").textContent = bar.metres >= 1 ? `${bar.metres} m` : `${(100 * bar.metres).toFixed(0)} cm`;
+  }
+  Object.assign(dirty, { words: false, curves: false, path: false });
+}
+
+// ---- what the program sends
+
+const connection = new Connection({
+  onOpen() {
+    connected = true;
+    ended = false;
+    dirty.words = true;
+  },
+  onClose() {
+    connected = false;
+    if (model.state?.finished) {
+      ended = true;
+      connection.end();
+    }
+    dirty.words = true;
+  },
+  onStranger(version) {
+    stranger = `This page is of another version than the program (${version}): load it again`;
+    dirty.words = true;
+  },
+  onMessage(topic, bytes) {
+    switch (topic) {
+      case Topic.state:
+        model.state = protocol.decodeState(bytes);
+        scene?.setState(model.state);
+        break;
+      case Topic.frames: {
+        const { first, frames } = protocol.decodeFrames(bytes);
+        model.add(first, frames);
+        Object.assign(dirty, { curves: true, path: true });
+        break;
+      }
+      case Topic.image: {
+        const image = protocol.decodeImage(bytes);
+        void picture.show(image).then(() => {
+          element("picture-frame").textContent = `frame ${image.frame}`;
+          element("far").textContent = `${image.far.toFixed(0)} m`;
+        });
+        element("no-picture").hidden = true;
+        break;
+      }
+      case Topic.map:
+        model.map = protocol.decodeMap(bytes);
+        scene?.setMap(model.map);
+        dirty.path = true;
+        break;
+      case Topic.mesh:
+        scene?.setMesh(protocol.decodeMesh(bytes));
+        break;
+      case Topic.keyframe:
+        showKeyframe(bytes);
+        break;
+    }
+    dirty.words = true;
+  },
+});
+
+// What is not to be seen is not asked for.
+function updateWanted() {
+  if (document.hidden) return connection.want(0);
+  let wanted = Want.map;
+  if (element("picture").offsetParent !== null) {
+    wanted |= Want.image;
+    if (picture.options.depth) wanted |= Want.depth;
+    if (picture.options.masks) wanted |= Want.masks;
+  }
+  if (scene && element<HTMLInputElement>("show-mesh").checked) wanted |= Want.mesh;
+  connection.want(wanted);
+}
+
+// ---- what the user does
+
+function listen() {
+  for (const box of document.querySelectorAll<HTMLInputElement>("[data-layer]")) {
+    box.addEventListener("change", () => {
+      scene?.setLayer(box.dataset.layer as Layer, box.checked);
+      updateWanted();
+    });
+  }
+  for (const button of document.querySelectorAll<HTMLButtonElement>("[data-mode]")) {
+    button.addEventListener("click", () => {
+      for (const other of document.querySelectorAll("[data-mode]")) other.setAttribute("aria-pressed", String(other === button));
+      scene?.setMode(button.dataset.mode as ViewMode);
+    });
+  }
+  element("fit").addEventListener("click", () => scene?.fit());
+  for (const button of document.querySelectorAll<HTMLButtonElement>("[data-tab]")) {
+    button.addEventListener("click", () => {
+      document.body.dataset.tab = button.dataset.tab;
+      for (const other of document.querySelectorAll("[data-tab]")) other.setAttribute("aria-pressed", String(other === button));
+      dirty.curves = true;
+      updateWanted();
+      requestAnimationFrame(() => picture.draw());
+    });
+  }
+  const option = (id: string, name: "points" | "masks") => {
+    element<HTMLInputElement>(id).addEventListener("change", (event) => {
+      picture.options[name] = (event.target as HTMLInputElement).checked;
+      updateWanted();
+      picture.draw();
+    });
+  };
+  option("show-points", "points");
+  option("show-masks", "masks");
+  for (const button of document.querySelectorAll<HTMLButtonElement>("[data-image]")) {
+    button.addEventListener("click", () => {
+      for (const other of document.querySelectorAll("[data-image]")) other.setAttribute("aria-pressed", String(other === button));
+      picture.options.depth = button.dataset.image === "depth";
+      element("depth-key").hidden = !picture.options.depth;
+      updateWanted();
+      picture.draw();
+    });
+  }
+  element("pause").addEventListener("click", () => connection.send(model.state?.paused ? "resume" : "pause"));
+  element("step").addEventListener("click", () => connection.send("step"));
+  element("keyframe-close").addEventListener("click", () => {
+    element("keyframe").hidden = true;
+    scene?.markPicked(null);
+  });
+  element("range").addEventListener("click", () => {
+    wholeRun = !wholeRun;
+    element("range").textContent = wholeRun ? "Last 600 frames" : "Whole run";
+    dirty.curves = true;
+  });
+  document.addEventListener("keydown", (event) => {
+    if (event.target instanceof HTMLInputElement || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "p") element("pause").click();
+    if (event.key === "s") element("step").click();
+  });
+  document.addEventListener("visibilitychange", updateWanted);
+  window.addEventListener("resize", () => {
+    Object.assign(dirty, { curves: true, path: true });
+    picture.draw();
+    updateWanted();
+  });
+}
+
+function startTheme() {
+  const system = window.matchMedia("(prefers-color-scheme: dark)");
+  const apply = (dark: boolean) => {
+    document.documentElement.dataset.theme = dark ? "dark" : "light";
+    scene?.setTheme(currentTheme());
+    Object.assign(dirty, { curves: true, path: true });
+  };
+  apply(system.matches);
+  system.addEventListener("change", (event) => apply(event.matches));
+  element("theme").addEventListener("click", () => apply(document.documentElement.dataset.theme !== "dark"));
+}
+
+// On a phone the list of layers would cover the map.
+if (window.innerWidth <= 820) element("layers").removeAttribute("open");
+startTheme();
+startScene();
+listen();
+updateWanted();
+draw();
+// For the browser test and for measuring.
+Object.assign(window, { stdcViewer: { model, picture, get scene() { return scene; }, decodeMesh: protocol.decodeMesh } });

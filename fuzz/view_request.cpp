@@ -1,0 +1,34 @@
+// What a page sends to the live view: messages, and the headers and the query of who wants to see it. The
+// input is split at the first three line feeds: message, Host, Origin, query.
+#include "viewer/view_request.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "viewer/view_access.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::string_view rest(reinterpret_cast<const char*>(data), size);
+  const auto next = [&rest] {
+    const std::string_view part = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(part.size() < rest.size() ? part.size() + 1 : rest.size());
+    return part;
+  };
+  const std::string_view message = next(), host = next(), origin = next(), query = next();
+  const auto request = stdc::parse_view_request(message);
+  if (request && request->kind == stdc::ViewRequest::Kind::want && request->value > stdc::kWantAll)
+    std::abort();
+  const stdc::ViewAccess loopback(""), elsewhere("5e4b");
+  const stdc::ViewAccess::Asked asked{host, origin, query};
+  const bool opens = !loopback.refuse_connection(asked),
+             opens_elsewhere = !elsewhere.refuse_connection(asked);
+  // Whoever is let in has said so in so many words.
+  if (opens && origin != "http://" + std::string(host) && origin != "https://" + std::string(host))
+    std::abort();
+  if (opens && loopback.refuse_page(asked)) std::abort();
+  if (opens_elsewhere && query.find("token=5e4b") == std::string_view::npos) std::abort();
+  return 0;
+}

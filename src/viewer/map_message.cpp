@@ -1,0 +1,77 @@
+#include "viewer/map_message.hpp"
+
+#include <cstdint>
+#include <limits>
+
+#include "viewer/byte_writer.hpp"
+
+namespace stdc {
+namespace {
+
+void put(ByteWriter& bytes, const Eigen::Vector3d& point) {
+  for (const double value : point) bytes.put(static_cast<float>(value));
+}
+
+}  // namespace
+
+std::string encode_map(const ViewMap& map) {
+  constexpr std::uint32_t kElsewhere = std::numeric_limits<std::uint32_t>::max();
+  const AtlasSnapshot& snapshot = map.snapshot;
+  std::vector<std::uint32_t> place(snapshot.keyframes().size(), kElsewhere);  // in the message, by id
+  std::uint32_t keyframes = 0;
+  for (std::size_t id = 0; id < place.size(); ++id) {
+    const auto& state = snapshot.keyframes()[id];
+    if (state.ancestor.value == id && state.map == map.map) place[id] = keyframes++;
+  }
+  const auto is_shown = [&place](const AtlasSnapshot::Edge& edge) {
+    return place[edge.a.value] != kElsewhere && place[edge.b.value] != kElsewhere;
+  };
+  std::vector<AtlasSnapshot::Edge> edges, loops;
+  for (const auto& edge : snapshot.covisibility()) {
+    if (is_shown(edge)) edges.push_back(edge);
+  }
+  for (const auto& edge : snapshot.loops()) {
+    if (is_shown(edge)) loops.push_back(edge);
+  }
+  std::vector<FramePose> poses;
+  for (const FramePose& pose : map.trajectory) {
+    if (pose.map == map.map) poses.push_back(pose);
+  }
+  const std::vector<Eigen::Vector3d> landmarks = snapshot.landmark_positions(map.map);
+
+  ByteWriter bytes;
+  constexpr std::size_t kPoint = 12, kPose = 16, kKeyframe = 36, kEdge = 12, kLoop = 8, kHeader = 28;
+  bytes.reserve(kHeader + kPose * poses.size() + kKeyframe * keyframes + kEdge * edges.size() +
+                kLoop * loops.size() + kPoint * (landmarks.size() + map.truth.size()));
+  bytes.put(map.map.value);
+  for (const std::size_t count : {poses.size(), std::size_t{keyframes}, edges.size(), loops.size(),
+                                  landmarks.size(), map.truth.size()}) {
+    bytes.put(static_cast<std::uint32_t>(count));
+  }
+  for (const FramePose& pose : poses) {
+    put(bytes, pose.world_from_cam.translation);
+    bytes.put(static_cast<std::uint32_t>(pose.frame));
+  }
+  for (std::size_t id = 0; id < place.size(); ++id) {
+    if (place[id] == kElsewhere) continue;
+    const Pose world_from_cam = snapshot.keyframes()[id].cam_from_world.inverse();
+    bytes.put(static_cast<std::uint32_t>(id));
+    bytes.put(static_cast<std::uint32_t>(snapshot.keyframes()[id].frame));
+    put(bytes, world_from_cam.translation);
+    for (const double value : world_from_cam.rotation.coeffs()) bytes.put(static_cast<float>(value));
+  }
+  for (const auto& edge : edges) {
+    bytes.put(place[edge.a.value]);
+    bytes.put(place[edge.b.value]);
+    bytes.put(static_cast<std::uint32_t>(edge.shared));
+  }
+  for (const auto& edge : loops) {
+    bytes.put(place[edge.a.value]);
+    bytes.put(place[edge.b.value]);
+  }
+  for (const Eigen::Vector3d& point : landmarks) put(bytes, point);
+  for (const Eigen::Vector3d& point : map.truth) put(bytes, point);
+  return bytes.take();
+}
+
+}  // namespace stdc

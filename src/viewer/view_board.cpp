@@ -1,0 +1,58 @@
+#include "viewer/view_board.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace stdc {
+
+void ViewBoard::changed(std::unique_lock<std::mutex> lock) {
+  ++changes_;
+  lock.unlock();
+  condition_.notify_all();
+}
+
+void ViewBoard::post(ViewTopic topic, std::string message) {
+  auto shared = std::make_shared<const std::string>(std::move(message));
+  std::unique_lock lock(mutex_);
+  Posted& posted = posted_[static_cast<std::size_t>(topic)];
+  posted.message.swap(shared);  // the old one is freed after the lock
+  ++posted.revision;
+  changed(std::move(lock));
+}
+
+void ViewBoard::add(const FrameRecord& record) {
+  std::unique_lock lock(mutex_);
+  frames_.push_back(record);
+  changed(std::move(lock));
+}
+
+ViewBoard::Posted ViewBoard::latest(ViewTopic topic) const {
+  const std::lock_guard lock(mutex_);
+  return posted_[static_cast<std::size_t>(topic)];
+}
+
+std::vector<FrameRecord> ViewBoard::frames(std::size_t first, std::size_t max) const {
+  const std::lock_guard lock(mutex_);
+  first = std::min(first, frames_.size());
+  const auto begin = frames_.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(std::min(max, frames_.size() - first))};
+}
+
+std::size_t ViewBoard::frame_count() const {
+  const std::lock_guard lock(mutex_);
+  return frames_.size();
+}
+
+std::uint64_t ViewBoard::changes() const {
+  const std::lock_guard lock(mutex_);
+  return changes_;
+}
+
+void ViewBoard::wait(std::uint64_t seen, std::chrono::milliseconds max) const {
+  std::unique_lock lock(mutex_);
+  condition_.wait_for(lock, max, [&] { return changes_ != seen; });
+}
+
+void ViewBoard::wake() { changed(std::unique_lock(mutex_)); }
+
+}  // namespace stdc

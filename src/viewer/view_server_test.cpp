@@ -1,0 +1,134 @@
+#include "viewer/view_server.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "slam/test_sequence.hpp"
+#include "viewer/test_web.hpp"
+
+namespace stdc {
+namespace {
+
+using test::TestSequence;
+
+constexpr int kFrames = 40;
+
+Settings settings_with_dense() {
+  Settings settings;
+  settings.dense.active = true;
+  settings.dense.voxel = 0.04;
+  settings.segmentation.source = SegmentationSource::off;
+  return settings;
+}
+
+/// A page that takes all that it is sent, on a thread of its own.
+class TestPage {
+ public:
+  explicit TestPage(int port) : line_(port) {
+    line_.send(test::upgrade());
+    line_.send(test::frame("want 31"));
+    thread_ = std::thread([this] {
+      while (true) {
+        const std::string bytes = line_.receive(1);
+        if (bytes.empty()) return;
+        received_ += bytes.size();
+      }
+    });
+  }
+  ~TestPage() { thread_.join(); }
+  TestPage(const TestPage&) = delete;
+  TestPage& operator=(const TestPage&) = delete;
+  void send(const std::string& request) const { line_.send(test::frame(request)); }
+  std::size_t received() const { return received_; }
+
+ private:
+  test::Line line_;
+  std::atomic<std::size_t> received_ = 0;
+  std::thread thread_;
+};
+
+std::vector<FramePose> run_alone(const TestSequence& sequence) {
+  Slam slam(sequence.camera, settings_with_dense());
+  for (int i = 0; i < kFrames; ++i) slam.track(sequence.frames[static_cast<std::size_t>(i)].image);
+  slam.finish();
+  return slam.trajectory();
+}
+
+TEST(ViewServer, ResultsAreTheSameWithPagesAndWithout) {
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, settings_with_dense());
+  auto view = std::make_unique<ViewServer>(ViewOptions{{"127.0.0.1", 0}},
+                                           ViewSubject{.name = "test", .camera = sequence.camera});
+  Trajectory truth;
+  for (const auto& frame : sequence.frames) truth.push_back({frame.image.timestamp, frame.world_from_cam});
+  view->set_truth(truth);
+  EXPECT_EQ(view->link(), fmt::format("http://localhost:{}/", view->port()));
+  {
+    std::vector<std::unique_ptr<TestPage>> pages;
+    for (int i = 0; i < 3; ++i) pages.push_back(std::make_unique<TestPage>(view->port()));
+    view->wait_for_page({});
+    for (int i = 0; i < kFrames; ++i) {
+      const RgbdImage& image = sequence.frames[static_cast<std::size_t>(i)].image;
+      view->show(&image, slam.track(image), slam);
+      if (i == 10) pages.pop_back();  // closed in the middle of it: its line ends when the view does
+    }
+    view->finish(slam, slam.finish());
+    view.reset();
+    for (const auto& page : pages) EXPECT_GT(page->received(), 100000U);
+  }
+  EXPECT_TRUE(test::same_bytes(slam.trajectory(), run_alone(sequence)));
+}
+
+TEST(ViewServer, APageHoldsTheRunAndStepsThroughIt) {
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, settings_with_dense());
+  auto view = std::make_unique<ViewServer>(ViewOptions{{"127.0.0.1", 0}},
+                                           ViewSubject{.name = "test", .camera = sequence.camera});
+  const TestPage page(view->port());
+  page.send("pause");
+  view->wait_for_page({});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  std::atomic<int> done = 0;
+  std::thread run([&] {
+    for (int i = 0; i < 4; ++i) {
+      const RgbdImage& image = sequence.frames[static_cast<std::size_t>(i)].image;
+      const TrackingResult result = slam.track(image);
+      done = i + 1;
+      view->show(&image, result, slam);
+    }
+  });
+  const auto soon = [&done](int count) {
+    for (int i = 0; i < 500 && done < count; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return done.load();
+  };
+  EXPECT_EQ(soon(1), 1);
+  page.send("step");
+  EXPECT_EQ(soon(2), 2);
+  page.send("resume");
+  EXPECT_EQ(soon(4), 4);
+  run.join();
+  view.reset();
+}
+
+TEST(ViewServer, AHeldRunCanBeGivenUp) {
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, settings_with_dense());
+  auto view = std::make_unique<ViewServer>(ViewOptions{{"127.0.0.1", 0}},
+                                           ViewSubject{.name = "test", .camera = sequence.camera});
+  const TestPage page(view->port());
+  page.send("pause");
+  view->wait_for_page({});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const RgbdImage& image = sequence.frames[0].image;
+  int asked = 0;
+  view->show(&image, slam.track(image), slam, [&asked] { return ++asked > 3; });
+  EXPECT_EQ(asked, 4);
+  view->show(nullptr, slam.skip(1e9), slam, [] { return true; });  // a frame without an image
+  view.reset();
+}
+
+}  // namespace
+}  // namespace stdc

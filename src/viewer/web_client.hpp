@@ -1,0 +1,41 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "viewer/view_feed.hpp"
+
+namespace stdc {
+
+/// A page that is connected, and the thread that sends to it.
+class WebClient {
+ public:
+  struct Line {
+    std::function<bool(const std::string& message)> send;  ///< waits for the line; false: it is dead
+    std::function<void()> say_goodbye;
+  };
+  WebClient(ViewBoard& board, Line line);
+  ~WebClient();
+  WebClient(const WebClient&) = delete;
+  WebClient& operator=(const WebClient&) = delete;
+
+  ViewFeed& feed() { return feed_; }
+  const ViewFeed& feed() const { return feed_; }
+  /// Says goodbye when what it is sending is sent, and sends no more. Returns at once.
+  void end();
+  /// Nothing can be sent any more.
+  bool dead() const { return dead_; }
+
+ private:
+  void run();
+
+  ViewBoard& board_;
+  Line line_;
+  ViewFeed feed_;
+  std::atomic<bool> stop_ = false, goodbye_ = false, dead_ = false;
+  std::thread thread_;
+};
+
+}  // namespace stdc
