@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   stdc::app::add_map_command(program.root());
   stdc::app::add_places_command(program.root());
   stdc::app::add_render_command(program.root());
+  stdc::app::add_report_command(program.root());
   stdc::app::add_settings_command(program.root());
   try {
     return program.run(argc, argv);

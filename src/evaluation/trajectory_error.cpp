@@ -185,4 +185,13 @@ TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& est
   return scores;
 }
 
+std::vector<PoseError> pose_errors(const Trajectory& truth, const Trajectory& estimate,
+                                   const Pose& truth_from_estimate, double max_difference) {
+  const std::vector<Pair> pairs = pair_up(truth, estimate, max_difference);
+  const std::vector<double> distances = absolute_errors(pairs, truth_from_estimate);
+  std::vector<PoseError> errors;
+  for (std::size_t i = 0; i < pairs.size(); ++i) errors.push_back({pairs[i].timestamp, distances[i]});
+  return errors;
+}
+
 }  // namespace stdc

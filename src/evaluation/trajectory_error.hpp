@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "input/trajectory.hpp"
 
@@ -32,5 +33,16 @@ struct TrajectoryScores {
 /// pairs. `frames`: number of input frames, for the coverage of a run.
 TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& estimate,
                                   double max_difference = 0.02, std::optional<int> frames = {});
+
+/// The distance of a pose from the true one of its time.
+struct PoseError {
+  double timestamp = 0;  ///< [s], of the estimate
+  double distance = 0;   ///< [m], after the alignment
+};
+
+/// The errors that the ATE is made of, in order of time.
+/// @param truth_from_estimate  the alignment that score_trajectory() found
+std::vector<PoseError> pose_errors(const Trajectory& truth, const Trajectory& estimate,
+                                   const Pose& truth_from_estimate, double max_difference = 0.02);
 
 }  // namespace stdc

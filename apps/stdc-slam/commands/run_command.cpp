@@ -28,6 +28,8 @@ Written to the output folder, all at the end or nothing:
                   every frame
   summary.json    coverage (share of the frames that are in trajectory.txt), maps, loops, times, memory, scores,
                   camera, settings, version
+  report.html     all of it to look at, in a browser: figures, sample frames, warnings, settings, commands; one
+                  file that loads nothing. `stdc-slam report A B` puts runs side by side
 
 --inpaint DIR makes DIR a sequence of the same layout without what moves: rgb, depth, their lists, camera.yaml and
 groundtruth.txt, and unknown: masks of what no frame has seen (255; black there, depth 0). It is filled with what frames
@@ -105,6 +107,7 @@ void add_options(Command command, RunOptions& options) {
                   "printed, then has a token")
       .needs(view);
   command.add_flag("--view-wait", options.view.wait, "Begin when somebody looks").needs(view);
+  command.add_flag("--no-report", options.no_report, "Leave out report.html");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
   command.footer(kFooter);
 }

@@ -7,6 +7,7 @@
 
 #include "input/open_source.hpp"
 #include "report/camera_json.hpp"
+#include "report/report_page.hpp"
 
 namespace stdc::app {
 namespace {
@@ -177,7 +178,7 @@ std::string info_json(const InputSurvey& survey, const std::vector<std::string>&
   json["imu_readings"] = survey.imu_samples;
   json["notes"] = survey.notes;
   json["warnings"] = warnings;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace stdc::app

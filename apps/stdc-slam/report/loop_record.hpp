@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,20 @@ namespace stdc::app {
 /// What a run has found out about its loops.
 class LoopRecord {
  public:
+  struct Entry {
+    LoopReport report;
+    std::optional<double> timestamp;  ///< of the frame at which it was collected [s]; nothing: after the last
+  };
+
   void add(const TrackingResult& result);
-  void add(const LoopReport& loop);
+  /// One that was collected after the last frame.
+  void add(const LoopReport& loop) { loops_.push_back({loop, std::nullopt}); }
+
+  const std::vector<Entry>& entries() const { return loops_; }
 
   /// Loops that were closed within a map, and maps that were joined by one.
-  int loops() const { return static_cast<int>(correction_.size()) - merges_; }
-  int merges() const { return merges_; }
+  int loops() const { return static_cast<int>(loops_.size()) - merges(); }
+  int merges() const;
   /// Quantiles of the times of looking for places, of finding loops and of correcting the map, and of what
   /// was corrected; null if no place was looked for.
   nlohmann::ordered_json to_json() const;
@@ -24,9 +33,8 @@ class LoopRecord {
   std::string text() const;
 
  private:
-  int merges_ = 0;
   std::vector<double> recognition_;  ///< [ms] per keyframe
-  std::vector<double> detection_, correction_, keyframes_, fused_;
+  std::vector<Entry> loops_;
 };
 
 }  // namespace stdc::app

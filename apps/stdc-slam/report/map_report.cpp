@@ -7,6 +7,7 @@
 
 #include "input/camera_file.hpp"
 #include "report/camera_json.hpp"
+#include "report/report_page.hpp"
 
 namespace stdc::app {
 namespace {
@@ -123,7 +124,7 @@ std::string map_report_json(const MapReport& report) {
   for (const MapContent& map : report.maps) json["maps"].push_back(content_to_json(map));
   json["dense_views"] = report.dense_views;
   json["dense_bytes"] = report.dense_bytes;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace stdc::app

@@ -29,6 +29,8 @@ class RunRecord {
   void set_processing_seconds(double seconds) { processing_seconds_ = seconds; }
 
   const StatusCounts& counts() const { return counts_; }
+  /// Of all frames, in order.
+  const std::vector<TrackingResult>& results() const { return results_; }
   /// One row per input frame, with a head line. Times in milliseconds; the columns of mapping are empty where
   /// no mapping result was collected.
   std::string frames_csv() const;

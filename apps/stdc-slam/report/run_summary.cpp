@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/camera_json.hpp"
+#include "report/report_page.hpp"
 #include "report/score_report.hpp"
 
 namespace stdc::app {
@@ -53,7 +54,7 @@ double frames_per_second(const RunRecord& record) {
 
 }  // namespace
 
-std::string summary_json(const RunSummary& summary, const RunRecord& record, const Settings& settings) {
+Json summary_to_json(const RunSummary& summary, const RunRecord& record, const Settings& settings) {
   const StatusCounts& counts = record.counts();
   Json json = {
       {"version", STDC_VERSION},
@@ -106,7 +107,11 @@ std::string summary_json(const RunSummary& summary, const RunRecord& record, con
   if (!summary.score.not_scored.empty()) json["not_scored"] = summary.score.not_scored;
   json["camera"] = cameras_to_json(summary.cameras);
   json["settings"] = settings_to_json(settings);
-  return json.dump(2) + "\n";
+  return json;
+}
+
+std::string summary_json(const RunSummary& summary, const RunRecord& record, const Settings& settings) {
+  return json_text(summary_to_json(summary, record, settings));
 }
 
 std::string summary_text(const RunSummary& summary, const RunRecord& record) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,9 @@ struct RunSummary {
   std::optional<MaskRunScore> masks;           ///< against --true-masks
 };
 
+/// What summary.json holds.
+nlohmann::ordered_json summary_to_json(const RunSummary& summary, const RunRecord& record,
+                                       const Settings& settings);
 /// summary.json.
 std::string summary_json(const RunSummary& summary, const RunRecord& record, const Settings& settings);
 /// A few lines for the terminal.

@@ -27,6 +27,7 @@ struct RunOptions {
   bool localisation_only = false;  ///< leave the loaded map as it is
   bool realtime = false;           ///< frames come at the pace of their timestamps
   bool inpaint_all = false;        ///< fill the background from later frames too
+  bool no_report = false;          ///< leave out report.html
   bool quiet = false;
 };
 

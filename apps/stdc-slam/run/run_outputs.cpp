@@ -37,6 +37,7 @@ std::vector<FrameObserver*> RunOutputs::observers() {
   if (masks) all.push_back(&*masks);
   if (mask_scoring) all.push_back(&*mask_scoring);
   if (inpainted) all.push_back(&mask_record);
+  if (samples) all.push_back(&*samples);
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "report/debug_images.hpp"
+#include "report/sample_frames.hpp"
 #include "run/dense_output.hpp"
 #include "run/inpainted_folder.hpp"
 #include "run/mask_record.hpp"
@@ -31,7 +32,8 @@ class RunOutputs {
   std::optional<DebugImages> pictures;
   std::optional<SavedMasks> masks;
   std::optional<MaskScoring> mask_scoring;
-  MaskRecord mask_record;  ///< filled only for inpainting
+  MaskRecord mask_record;               ///< filled only for inpainting
+  std::optional<SampleFrames> samples;  ///< for the report; to be made once there is a Slam
 };
 
 }  // namespace stdc::app

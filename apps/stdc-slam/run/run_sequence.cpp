@@ -16,6 +16,7 @@
 #include "run/run_checks.hpp"
 #include "run/run_dense.hpp"
 #include "run/run_outputs.hpp"
+#include "run/run_page.hpp"
 #include "run/run_score.hpp"
 #include "run/run_trajectories.hpp"
 #include "run/sequence_input.hpp"
@@ -137,6 +138,7 @@ bool run_sequence(const RunOptions& options) {
   RunRecord record;
   Slam slam(input.camera, settings, std::move(segmenter));
   if (options.load_map) slam.load_map(*options.load_map);
+  if (!options.no_report) outputs.samples.emplace(slam, input.expected_frame_count());
   std::vector<FrameObserver*> observers = outputs.observers();
   if (view) {
     view->begin(slam);
@@ -165,6 +167,10 @@ bool run_sequence(const RunOptions& options) {
   write_trajectories(trajectories, outputs.folder);
   outputs.folder.write("frames.csv", record.frames_csv());
   outputs.folder.write("summary.json", summary_json(summary, record, settings));
+  if (outputs.samples) {
+    outputs.folder.write("report.html", run_page(options, input, {summary, record, settings, trajectories},
+                                                 slam.landmark_positions(trajectories.map), *outputs.samples));
+  }
   const bool found = summary.poses > 0;
   const bool saves_map = options.save_map && slam.keyframes() > 0;
   if (saves_map) slam.save_map(*options.save_map);
@@ -176,6 +182,7 @@ bool run_sequence(const RunOptions& options) {
   if (dense) fmt::print("{}\n", describe(*dense, *outputs.dense, dense_usage));
   if (outputs.masks) fmt::print("masks: {}\n", options.save_masks->string());
   if (outputs.inpainted) fmt::print("{}\n", describe(inpainting, *options.inpaint));
+  if (outputs.samples) fmt::print("report: {}\n", (options.output / "report.html").string());
   if (outputs.pictures) fmt::print("pictures: {}\n", options.debug_images->string());
   return found;
 }

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "input/survey/depth_warnings.hpp"
 #include "input/survey/input_survey.hpp"
 
 namespace stdc {
@@ -55,43 +55,14 @@ void warn_of_times(const InputSurvey& survey, Lines& lines) {
   }
 }
 
-/// The unit that would make the median depth plausible; nothing if it is.
-std::optional<double> likelier_units(double median_units, double units) {
-  constexpr double kNear = 0.35, kFar = 9, kUsual = 2;  // [m] in rooms
-  const double metres = median_units / units;
-  if (metres > kNear && metres < kFar) return std::nullopt;
-  constexpr std::array kUnits{1000.0, 5000.0, 4000.0, 10000.0, 256.0, 100.0};
-  return *std::min_element(kUnits.begin(), kUnits.end(), [&](double a, double b) {
-    const auto distance = [&](double u) { return std::abs(std::log(median_units / u / kUsual)); };
-    return distance(a) < distance(b);
-  });
-}
-
 void warn_of_depth(const InputSurvey& survey, Lines& lines) {
   const SurveyImages& images = survey.images;
   if (images.sampled == 0) return;
-  if (images.median_depth <= 0) {
-    lines.emplace_back("the depth images are empty");
-    return;
-  }
-  if (images.valid_share < 0.3) {
-    lines.push_back(fmt::format("only {:.0f} % of the pixels have depth", 100 * images.valid_share));
-  }
-  if (images.saturated_share > 0.01) {
-    lines.push_back(fmt::format("{:.0f} % of the depth pixels are 65535: does that mean 'no depth'?",
-                                100 * images.saturated_share));
-  }
-  if (!survey.cameras || images.depth_in_metres) return;
-  const double units = survey.cameras->colour.depth_units_per_metre;
-  if (const auto likelier = likelier_units(images.median_depth, units)) {
-    lines.push_back(
-        *likelier == units
-            ? fmt::format("median depth is {:.2f} m: is depth_units_per_metre right?",
-                          images.median_depth / units)
-            : fmt::format(
-                  "median depth is {:.2f} m: is depth_units_per_metre {:g} where the device writes {:g}?",
-                  images.median_depth / units, units, *likelier));
-  }
+  std::optional<double> units;
+  if (survey.cameras && !images.depth_in_metres) units = survey.cameras->colour.depth_units_per_metre;
+  const Lines found =
+      depth_warnings({images.median_depth, images.valid_share, images.saturated_share}, units);
+  lines.insert(lines.end(), found.begin(), found.end());
 }
 
 /// "11 pixels right of", "4 pixels above"
