@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 #include <optional>
 #include <set>
@@ -14,6 +15,9 @@
 #include "commands/commands.hpp"
 #include "commands/input_options.hpp"
 #include "core/error.hpp"
+#include "report/merge_reports.hpp"
+#include "report/run_report.hpp"
+#include "run/command_line.hpp"
 #include "run/mask_check.hpp"
 #include "run/output_folder.hpp"
 #include "run/run_score.hpp"
@@ -28,7 +32,7 @@ struct Options {
   InputOptions input;  ///< how each of them is to be read
   std::optional<std::string> output;
   AblationOptions columns;
-  bool markdown = false, quiet = false;
+  bool markdown = false, no_report = false, quiet = false;
 };
 
 using Inputs = std::vector<std::unique_ptr<SequenceInput>>;
@@ -65,6 +69,29 @@ Inputs open_inputs(const Options& options, const std::vector<AblationColumn>& co
   return inputs;
 }
 
+/// The run as the page shows it. Time and memory are those of the whole program, so they are left out.
+std::shared_ptr<const nlohmann::ordered_json> page_run(const SequenceInput& input, const AblationColumn& column,
+                                                       const RunRecord& record, const Slam& slam, const RunScore& score,
+                                                       const Trajectory& estimate) {
+  RunSummary summary;
+  summary.sequence = input.name;
+  summary.cameras = input.cameras;
+  summary.first_frame = input.first_frame();
+  summary.poses = static_cast<int>(estimate.size());
+  summary.maps = slam.maps();
+  summary.keyframes = slam.keyframes();
+  summary.landmarks = slam.landmarks();
+  summary.score = score;
+  RunReport report{summary, record, column.settings, {}, nullptr, {}, true};
+  report.paths.estimate = estimate;
+  report.paths.truth = apply_convention(input.truth().value_or(Trajectory()), score.convention);
+  report.paths.rotation = input.camera.rotation;
+  nlohmann::ordered_json run = run_json(std::move(report));
+  run["label"] = column.title;
+  for (const char* const name : {"cpu_seconds", "peak_memory_mb"}) run["summary"].erase(name);
+  return std::make_shared<const nlohmann::ordered_json>(std::move(run));
+}
+
 /// @param warnings  what was said about the truth of this sequence
 AblationCell run_column(const SequenceInput& input, const std::string& folder, const Options& options,
                         const AblationColumn& column, const InterruptWatch& interrupts,
@@ -84,6 +111,7 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
   if (score.scores) cell.ate_rmse = score.scores->ate.rmse;
   if (!score.warning.empty() && warnings.insert(score.warning).second)
     fmt::print(stderr, "stdc-slam: {}\n", score.warning);
+  if (options.output && !options.no_report) cell.run = page_run(input, column, record, slam, score, estimate);
   return cell;
 }
 
@@ -109,6 +137,9 @@ void run_ablation(const Options& options) {
   if (!output) return;
   output->write("ablation.md", format_markdown(table));
   output->write("ablation.json", format_json(table));
+  if (!options.no_report) {
+    output->write("report.html", bounded_report_page(ablation_document(table, {shell_command(process_arguments())})));
+  }
   output->commit();
 }
 
@@ -138,7 +169,7 @@ void add_ablation_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
   command.add_option("INPUTS", options->sequences, std::string(kInputHelp) + ", with true poses").required();
-  command.add_option("--output,-o", options->output, "Folder for ablation.md and ablation.json");
+  command.add_option("--output,-o", options->output, "Folder for ablation.md, ablation.json and report.html (the page)");
   add_input_options(command, options->input);
   add_truth_option(command, options->input);
   add_frames_option(command, options->input);
@@ -157,6 +188,7 @@ void add_ablation_command(Command program) {
       .one_value_each();
   command.add_flag("--motion", options->columns.motion, "Three more columns, one for each motion method");
   command.add_flag("--markdown", options->markdown, "Print tables in Markdown");
+  command.add_flag("--no-report", options->no_report, "Leave out report.html");
   command.add_flag("--quiet,-q", options->quiet, "No progress");
   command.footer(kFooter);
   command.callback([options] { run_ablation(*options); });

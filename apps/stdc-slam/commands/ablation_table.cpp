@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "report/quantiles.hpp"
+#include "report/report_page.hpp"
+#include "report/run_report.hpp"
 
 namespace stdc::app {
 namespace {
@@ -74,6 +76,28 @@ std::string format_markdown(const AblationTable& table) {
                      markdown(cells(table, time)));
 }
 
+nlohmann::ordered_json ablation_document(const AblationTable& table, const std::vector<std::string>& commands) {
+  using Json = nlohmann::ordered_json;
+  const auto table_json = [](const char* id, const char* title, std::vector<std::vector<std::string>> lines) {
+    const std::vector<std::string> head = lines.front();
+    lines.erase(lines.begin());
+    return Json{{"id", id}, {"title", title}, {"head", head}, {"rows", lines}};
+  };
+  Json groups = Json::array();
+  for (const AblationRow& row : table.rows) {
+    Json runs = Json::array();
+    for (const AblationCell& cell : row.cells) {
+      if (cell.run) runs.push_back(*cell.run);
+    }
+    groups.push_back({{"title", row.sequence}, {"runs", std::move(runs)}});
+  }
+  Json document = report_of("Ablation", fmt::format("{} sequence{}, {} columns", table.rows.size(), table.rows.size() == 1 ? "" : "s", table.columns.size()),
+                            std::move(groups), commands);
+  document["tables"] = Json::array({table_json("accuracy", kAccuracyTitle, cells(table, accuracy)),
+                                    table_json("time", kTimeTitle, cells(table, time))});
+  return document;
+}
+
 std::string format_json(const AblationTable& table) {
   nlohmann::ordered_json json;
   for (const AblationRow& row : table.rows) {
@@ -86,7 +110,7 @@ std::string format_json(const AblationTable& table) {
           {"frame_ms", to_json(cell.frame_ms)}};
     }
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace stdc::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,8 @@ struct AblationCell {
   std::optional<double> ate_rmse;  ///< [m]; nothing if the run could not be scored
   double coverage = 0;             ///< share of the frames that have a pose in the map that holds most
   std::optional<double> frame_ms;  ///< median wall milliseconds of the tracking thread
+  /// The run for the page, if there is to be one.
+  std::shared_ptr<const nlohmann::ordered_json> run;
 };
 
 struct AblationRow {
@@ -30,5 +34,8 @@ std::string format_text(const AblationTable& table);
 std::string format_markdown(const AblationTable& table);
 /// {"sequence": {"column": {"ate_rmse_m", "coverage", "frame_ms"}}}
 std::string format_json(const AblationTable& table);
+
+/// The document of a page: the two tables, and the columns of each sequence side by side.
+nlohmann::ordered_json ablation_document(const AblationTable& table, const std::vector<std::string>& commands);
 
 }  // namespace stdc::app

@@ -35,7 +35,7 @@ TEST_F(CommandLine, RunWritesAllResults) {
   EXPECT_EQ(summary["camera"]["fx"], 300.0);
   EXPECT_LT(summary["scores"]["ate_m"]["rmse"], 0.005);
   EXPECT_GT(summary["peak_memory_mb"], 1);
-  EXPECT_TRUE(fs::exists(folder_ / "p/top_view.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "o/report.html"));
   EXPECT_TRUE(fs::exists(folder_ / "p/keypoints_000005.png"));
 }
 

@@ -15,8 +15,8 @@
 #include "core/error.hpp"
 #include "core/image_codec.hpp"
 #include "input/frame_decoder.hpp"
-#include "report/plot.hpp"
 #include "report/quantiles.hpp"
+#include "report/svg_plot.hpp"
 #include "run/output_folder.hpp"
 #include "run/progress.hpp"
 #include "run/sequence_input.hpp"
@@ -154,27 +154,26 @@ nlohmann::json to_json(const PlaceScores& scores, const PlaceRecognitionTest& te
           {"verify_ms", app::to_json(median(test.verify_ms()))}};
 }
 
-cv::Mat draw_curve(const PlaceScores& scores, const std::string& name) {
-  const cv::Scalar blue(180, 100, 30), red(40, 40, 200);
-  Plot plot({-0.02, -0.02}, {1.02, 1.02}, "Places recognised in " + name, "recall", "precision");
-  Eigen::Vector2d before(0, 1);
-  for (const PrecisionRecallPoint& point : scores.first.curve) {
-    const Eigen::Vector2d here(point.recall, point.precision);
-    plot.line(before, here, 2.5, blue);
-    before = here;
-  }
+/// Precision over recall, as SVG.
+std::string draw_curve(const PlaceScores& scores, const std::string& name) {
+  SvgPlot plot({70, 80, 560, 560}, {{-0.02, -0.02}, {1.02, 1.02}, "recall", "precision", true});
+  std::vector<Eigen::Vector2d> curve{{0, 1}};
+  for (const PrecisionRecallPoint& point : scores.first.curve) curve.emplace_back(point.recall, point.precision);
+  constexpr const char* kByScore = "#0072b2";
+  constexpr const char* kVerified = "#d55e00";
+  plot.line(curve, 2, kByScore);
+  plot.legend("by score alone", kByScore);
   const int verified = scores.verified_right + scores.verified_wrong;
   if (verified > 0 && scores.possible > 0) {
-    plot.dot({share(scores.verified_right, scores.possible).value_or(0),
-              share(scores.verified_right, verified).value_or(0)},
-             7, red);
+    plot.dots({{share(scores.verified_right, scores.possible).value_or(0),
+                share(scores.verified_right, verified).value_or(0)}},
+              5, kVerified);
+    plot.legend("verified", kVerified, true);
   }
-  plot.finish_area();
-  plot.legend_line("by score alone", 2.5, blue);
-  if (verified > 0) plot.legend_dot("verified", 7, red);
-  plot.legend_text(fmt::format("{} views", scores.views));
-  plot.legend_text(fmt::format("{} see a place again", scores.possible));
-  return plot.image();
+  return svg_drawing(680, 710,
+                     fmt::format("Places recognised in {}: {} views, {} see a place again", name, scores.views,
+                                 scores.possible),
+                     {plot});
 }
 
 /// Empty where there was no answer, or no pose.
@@ -204,7 +203,7 @@ void run(const Options& options) {
   const PlaceScores scores = score_places(test.answers(), options.test);
   if (output) {
     output->write("places.csv", format_answers(test.answers()));
-    output->write("places.png", encode_png(draw_curve(scores, input.name)));
+    output->write("places.svg", draw_curve(scores, input.name));
     output->commit();
   }
   fmt::print("{}",
@@ -232,7 +231,7 @@ void add_places_command(Command program) {
       .capture_default_str();
   add_input_options(command, options->input);
   add_truth_option(command, options->input);
-  command.add_option("--output", options->output, "Folder for places.csv and places.png (the curve)");
+  command.add_option("--output", options->output, "Folder for places.csv and places.svg (the curve)");
   command.add_flag("--json", options->json, "Print JSON");
   command.add_flag("--quiet", options->quiet, "No progress");
   command.footer(R"(

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/whole_file.hpp"
+#include "report/evo_result.hpp"
 #include "report/merge_reports.hpp"
 #include "report/report_page.hpp"
 #include "report/run_report.hpp"
@@ -42,6 +43,10 @@ NamedReport read_report(const std::string& given) {
   const fs::path path = fs::is_directory(given, failed) ? fs::path(given) / "report.html" : fs::path(given);
   constexpr std::size_t kMaxBytes = 64 << 20U;
   const std::string page = read_file(path, "run it again without --no-report, or give a folder that run wrote", kMaxBytes);
+  if (page.starts_with("PK")) {
+    nlohmann::ordered_json group = {{"title", name_of(given)}, {"runs", {evo_run(page, path.string())}}};
+    return {name_of(given), {{"groups", nlohmann::ordered_json::array({std::move(group)})}}};
+  }
   return {name_of(given), report_document(page, path.string())};
 }
 
@@ -67,13 +72,13 @@ void compare(const Options& options) {
 void add_report_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("report", "Put runs side by side on a page");
-  command.add_option("RUNS", options->runs, "Output folders of run, or pages that this program wrote").required();
+  command.add_option("RUNS", options->runs, "Output folders of run, pages that this program wrote, or results of evo_ape (ZIP)").required();
   command.add_option("--output,-o", options->output, "The page").type_name("FILE").capture_default_str();
   command.footer(R"(
 Takes what it shows from the report.html of each run: scores in a table with the best of each row marked, errors,
 times and keypoints over each other, the settings in which the runs differ, the same frames with their masks. Runs of
 the same recording are drawn over the same time, and over each other in plan if there is a ground truth. Pages of
-evaluate and ablation can be given, too.
+evaluate and ablation can be given, too, and what evo_ape --save_results has written.
 
 Examples:
   stdc-slam report results-before results-after

@@ -145,10 +145,6 @@ void DebugImages::on_frame(const ObservedFrame& frame) {
                 encode_png(draw_cells(colour, result.dynamic_mask, frame.number, settings_)));
 }
 
-void DebugImages::add_top_view(const TopView& view) {
-  folder_.write("top_view.png", encode_png(draw_top_view(view)));
-}
-
 void DebugImages::commit() { folder_.commit(); }
 
 }  // namespace stdc::app

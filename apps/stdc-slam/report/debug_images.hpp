@@ -1,28 +1,13 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
-#include <vector>
 
 #include "features/extractor.hpp"
-#include "input/trajectory.hpp"
 #include "run/frame_observer.hpp"
 #include "run/output_folder.hpp"
 #include "slam/slam.hpp"
 
 namespace stdc::app {
-
-/// What the top view shows.
-struct TopView {
-  Trajectory estimate, keyframes;          ///< in the world of the estimate
-  std::vector<Eigen::Vector3d> landmarks;  ///< [m], in the same world
-  Trajectory truth;                        ///< empty: there is none
-  std::optional<Pose> truth_from_estimate;
-};
-
-/// Draws the trajectory from above: the estimate coloured by its distance from the truth, keyframes,
-/// landmarks, axes in metres and a legend. With a truth that is aligned its x-y plane is drawn (TUM's z
-/// points up), else the x-z plane of the first camera. BGR, 1600 x 1200 px.
-cv::Mat draw_top_view(const TopView& view);
 
 /// Draws keypoints over the image in grey, twice its size: the colour says inlier, outlier or unmatched, a
 /// filled disc is of high quality and a ring of low quality. What is dynamic is tinted.
@@ -38,7 +23,6 @@ class DebugImages : public FrameObserver {
   DebugImages(const std::filesystem::path& folder, int every, const FeatureSettings& settings);
   /// The result must have its keypoints; a frame without an image is passed over.
   void on_frame(const ObservedFrame& frame) override;
-  void add_top_view(const TopView& view);
   void commit();
 
  private:

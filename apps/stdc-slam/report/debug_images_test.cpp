@@ -11,46 +11,6 @@ namespace {
 
 using stdc::test::TestFolder;
 
-/// Number of pixels that have another colour than the plain picture.
-int changed(const cv::Mat& a, const cv::Mat& b) {
-  cv::Mat difference, grey;
-  cv::absdiff(a, b, difference);
-  cv::cvtColor(difference, grey, cv::COLOR_BGR2GRAY);
-  return cv::countNonZero(grey);
-}
-
-Trajectory line(int count, double slope) {
-  Trajectory path;
-  for (int i = 0; i < count; ++i) {
-    path.push_back({i / 30.0, Pose(Eigen::Quaterniond::Identity(), {0.01 * i, slope * i, 0.02 * i})});
-  }
-  return path;
-}
-
-TEST(DrawTopView, DrawsWhatThereIs) {
-  const cv::Mat empty = draw_top_view({});
-  EXPECT_EQ(empty.size(), cv::Size(1600, 1200));
-  EXPECT_EQ(empty.type(), CV_8UC3);
-  TopView view;
-  view.estimate = line(50, 0);
-  EXPECT_GT(changed(draw_top_view(view), empty), 1000);
-  view.landmarks = {{0.1, 0, 0.5}, {1e12, 0, -1e12}, {0, 0, 0.3}};
-  view.keyframes = {view.estimate[3], view.estimate[30]};
-  view.truth = line(60, 0.0001);
-  view.truth_from_estimate = Pose();
-  EXPECT_GT(changed(draw_top_view(view), empty), 1000);
-}
-
-TEST(DrawTopView, TakesOddTrajectories) {
-  TopView view;
-  view.estimate = line(1, 0);
-  EXPECT_FALSE(draw_top_view(view).empty());
-  view.estimate = {{0, Pose()}, {10, Pose()}};  // stands still, with a gap
-  view.truth = {{100, Pose()}};                 // another time
-  view.truth_from_estimate = Pose();
-  EXPECT_FALSE(draw_top_view(view).empty());
-}
-
 TEST(DrawKeypoints, MarksEveryKeypoint) {
   const cv::Mat grey(120, 160, CV_8UC1, cv::Scalar(100));
   TrackingResult result;
@@ -80,10 +40,9 @@ TEST(DebugImages, WritesEveryNthAndTheLost) {
     result.status = i == 6 ? TrackingStatus::lost : TrackingStatus::ok;
     images.on_frame({100 + i, &image, result});
   }
-  images.add_top_view({});
   images.commit();
   for (const char* name :
-       {"keypoints_000100.png", "cells_000104.png", "keypoints_000106.png", "top_view.png"}) {
+       {"keypoints_000100.png", "cells_000104.png", "keypoints_000106.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / "p" / name)) << name;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "p/keypoints_000101.png"));

@@ -138,4 +138,22 @@ void add_frames(Json& run, const RunRecord& record, const std::vector<PoseError>
   run["quantiles"] = {{"error_mm", percentiles(distances, 3)}, {"total_ms", percentiles(times, 2)}};
 }
 
+void add_errors(Json& run, const std::vector<PoseError>& errors) {
+  const double start = errors.front().timestamp;
+  Values times, millimetres;
+  for (const PoseError& error : errors) {
+    times.emplace_back(error.timestamp - start);
+    millimetres.emplace_back(1e3 * error.distance);
+  }
+  const int every = values_per_point(errors.size());
+  run["first_time"] = rounded(start, 6);
+  run["duration_s"] = rounded(errors.back().timestamp - start, 3);
+  run["every"] = every;
+  run["frames"] = Json::object();
+  put(run["frames"], "time", times, every, Pick::first, kTimeDecimals);
+  put(run["frames"], "error_mm", millimetres, every, Pick::largest, 3);
+  run["histograms"] = {{"error_mm", histogram(known(millimetres))}};
+  run["quantiles"] = {{"error_mm", percentiles(known(millimetres), 3)}};
+}
+
 }  // namespace stdc::app

@@ -27,4 +27,7 @@ std::optional<double> frame_period(const std::vector<TrackingResult>& results);
 /// @param errors  of the poses that could be compared, by time
 void add_frames(nlohmann::ordered_json& run, const RunRecord& record, const std::vector<PoseError>& errors);
 
+/// The same where only errors are known: time counts from the first of them, of which there must be one.
+void add_errors(nlohmann::ordered_json& run, const std::vector<PoseError>& errors);
+
 }  // namespace stdc::app

@@ -105,6 +105,8 @@ Json merge_reports(std::vector<NamedReport> reports) {
       std::string label = alone ? report.name : report.name + ": " + run.value("label", "");
       if (const int number = ++uses[label]; number > 1) label += fmt::format(" ({})", number);
       run["label"] = std::move(label);
+      const Json commands = report.document.value("commands", Json::array());
+      if (alone && commands.is_array() && !commands.empty()) run["command"] = commands.front();
       run.erase("landmarks");
       runs.push_back(std::move(run));
     });

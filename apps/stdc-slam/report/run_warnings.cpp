@@ -38,7 +38,7 @@ void warn_of_coverage(const RunSummary& summary, const RunRecord& record, Lines&
     add(counts.initialising, "before the first map");
     add(counts.skipped, "skipped");
     add(summary.poses_elsewhere, "in other maps");
-    lines.push_back(fmt::format("Only {:.1f} % of the frames are in the trajectory{}. An error over part of a way is no small error.",
+    lines.push_back(fmt::format("Only {:.1f} % of the frames are in the trajectory{}. A small error over part of the path says little.",
                                 100 * coverage, why));
   }
   if (summary.maps > 1) {

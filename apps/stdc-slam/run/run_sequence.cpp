@@ -114,15 +114,6 @@ std::unique_ptr<Segmenter> run_segmenter(const RunOptions& options, const Settin
   return segmenter;
 }
 
-void add_top_view(const RunTrajectories& trajectories, const SequenceInput& input, const RunSummary& summary,
-                  const Slam& slam, RunOutputs& outputs) {
-  if (!outputs.pictures) return;
-  outputs.pictures->add_top_view(
-      {trajectories.frames, trajectories.keyframes, slam.landmark_positions(trajectories.map),
-       apply_convention(input.truth().value_or(Trajectory()), summary.score.convention),
-       summary.score.scores ? std::optional(summary.score.scores->truth_from_estimate) : std::nullopt});
-}
-
 }  // namespace
 
 bool run_sequence(const RunOptions& options) {
@@ -163,7 +154,6 @@ bool run_sequence(const RunOptions& options) {
       write_dense(slam, input, settings, trajectories.map, options.quiet, outputs.dense);
   RunSummary summary = summarise(input, record, slam, trajectories);
   if (outputs.mask_scoring) summary.masks = outputs.mask_scoring->score();
-  add_top_view(trajectories, input, summary, slam, outputs);
   write_trajectories(trajectories, outputs.folder);
   outputs.folder.write("frames.csv", record.frames_csv());
   outputs.folder.write("summary.json", summary_json(summary, record, settings));

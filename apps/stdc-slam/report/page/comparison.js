@@ -1,14 +1,16 @@
 // Several runs side by side.
 
+const inMillimetres = (metres) => (isNumber(metres) ? 1e3 * metres : undefined);
+
 /** Rows of the table: name, value of a run, how to print it, which is better. */
 const comparedRows = [
   ["frames with a pose", (s) => s.coverage, (v) => percent(v), "high"],
-  ["ATE, RMSE, mm", (s) => 1e3 * at(s, "scores.ate_m.rmse"), number, "low"],
-  ["ATE, median, mm", (s) => 1e3 * at(s, "scores.ate_m.median"), number, "low"],
-  ["ATE, largest, mm", (s) => 1e3 * at(s, "scores.ate_m.max"), number, "low"],
-  ["RPE per frame, RMSE, mm", (s) => 1e3 * at(s, "scores.rpe_frame_translation_m.rmse"), number, "low"],
+  ["ATE, RMSE, mm", (s) => inMillimetres(at(s, "scores.ate_m.rmse")), number, "low"],
+  ["ATE, median, mm", (s) => inMillimetres(at(s, "scores.ate_m.median")), number, "low"],
+  ["ATE, largest, mm", (s) => inMillimetres(at(s, "scores.ate_m.max")), number, "low"],
+  ["RPE per frame, RMSE, mm", (s) => inMillimetres(at(s, "scores.rpe_frame_translation_m.rmse")), number, "low"],
   ["RPE per frame, RMSE, °", (s) => at(s, "scores.rpe_frame_rotation_deg.rmse"), number, "low"],
-  ["RPE per second, RMSE, mm", (s) => 1e3 * at(s, "scores.rpe_second_translation_m.rmse"), number, "low"],
+  ["RPE per second, RMSE, mm", (s) => inMillimetres(at(s, "scores.rpe_second_translation_m.rmse")), number, "low"],
   ["RPE per second, RMSE, °", (s) => at(s, "scores.rpe_second_rotation_deg.rmse"), number, "low"],
   ["off by more than 5 cm, frames", (s) => at(s, "scores.off_by_5_cm"), number, "low"],
   ["uncertain frames", (s) => at(s, "frames.uncertain"), number, "low"],

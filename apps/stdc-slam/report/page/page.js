@@ -26,6 +26,7 @@ function bandsNote(run) {
 
 function trajectorySection(run) {
   const parts = [];
+  if (!run.trajectory && !run.settings) return null;
   if (!run.trajectory || !run.trajectory.time.length) return section("trajectory", "Trajectory", note("No frame has a pose."));
   const world = `Axes: ${run.axes.world}.`;
   parts.push(figure("plan", 460, false, `From above, both axes to the same scale. ${world}`, planFigure(run)));
@@ -35,7 +36,8 @@ function trajectorySection(run) {
 
 function timeSection(run) {
   if (!run.frames || !run.frames.time.length) return null;
-  const rows = 1 + (run.frames.error_mm ? 1 : 0) + (run.frames.people_percent || run.frames.moving_percent ? 1 : 0) + 1;
+  const f = run.frames;
+  const rows = [f.inliers, f.error_mm, f.people_percent || f.moving_percent, f.total_ms].filter(Boolean).length;
   return section("time", "Over time",
     figure("over-time", 110 + 135 * rows, true, "The place in the plan above follows the pointer." + bandsNote(run) + everyNote(run), timeFigure(run)));
 }
@@ -84,7 +86,7 @@ function manyPage(document_) {
 
 function navigation(main) {
   const links = [...main.querySelectorAll("section")].map((one) =>
-    element("a", { href: "#" + one.id }, one.querySelector("h2").textContent));
+    element("a", { href: "#" + one.id }, one.querySelector("h2").textContent.split(". ")[0]));
   return links.length > 2 ? element("nav", { "aria-label": "Sections" }, links) : null;
 }
 
@@ -95,7 +97,8 @@ function start() {
   const machine = data.machine ? `, on ${data.machine}` : "";
   const head = element("header", {}, element("h1", {}, data.title), element("div", { class: "soft" }, `${data.subtitle}; stdc-slam ${data.version}${machine}`));
   const parts = single ? onePage(data.groups[0].runs[0]) : manyPage(data);
-  main.replaceChildren(head, ...[...parts, commandsSection(data.commands)].filter(Boolean),
+  const commands = [...(single ? [] : data.groups.flatMap((group) => group.runs.map((run) => run.command))), ...(data.commands || [])].filter(Boolean);
+  main.replaceChildren(head, ...[...parts, commandsSection(commands)].filter(Boolean),
     element("footer", {}, "Written by stdc-slam. The page is complete in itself: it loads nothing. Plots by plotly.js (MIT licence)."));
   const links = navigation(main);
   if (links) head.append(links);

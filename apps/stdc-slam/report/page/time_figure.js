@@ -10,11 +10,12 @@ function timeRows(run, c) {
   if (frames.error_mm) {
     rows.push({ title: "error [mm]", weight: 1.1, traces: [line("error of position", frames.error_mm, c.estimate, "%{y:.1f} mm")] });
   }
-  rows.push({ title: "inliers", weight: 1, traces: [line("inliers", frames.inliers, c.green, "%{y}"), ...keyframeTraces(run, c)] });
+  if (frames.inliers) rows.push({ title: "inliers", weight: 1, traces: [line("inliers", frames.inliers, c.green, "%{y}"), ...keyframeTraces(run, c)] });
   const shares = [];
   if (frames.people_percent) shares.push(line("people, by the network", frames.people_percent, c.violet, "%{y:.1f} %"));
   if (frames.moving_percent) shares.push(line("moving, by geometry", frames.moving_percent, c.yellow, "%{y:.1f} %"));
   if (shares.length) rows.push({ title: "dynamic [%]", weight: 0.8, traces: shares });
+  if (!frames.total_ms) return rows;
   const times = [line("time per frame", frames.total_ms, c.estimate, "%{y:.1f} ms")];
   if (frames.mask_wait_ms) {
     times.push(line("of it waiting for the mask", frames.mask_wait_ms, c.orange, "%{y:.1f} ms", { line: { color: c.orange, width: 1, dash: "dot" } }));
