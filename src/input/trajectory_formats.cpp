@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kKittiNumbers = 12;
 constexpr double kKittiInterval = 0.1;  // [s]
-constexpr const char* kHint = "write each line as: timestamp tx ty tz qx qy qz qw, or the 12 numbers of KITTI";
+constexpr const char* kHint =
+    "write each line as: timestamp tx ty tz qx qy qz qw, or the 12 numbers of KITTI";
 
 TrajectoryFormat format_of(std::string_view text) {
   LineReader lines(text);
@@ -33,13 +34,15 @@ StampedPose parse_kitti_row(std::string_view line, double time, const std::strin
   Eigen::Matrix<double, 3, 4> matrix;
   for (std::size_t i = 0; i < kKittiNumbers; ++i) {
     const std::optional<double> number = parse_number(words[i]);
-    if (!number || !std::isfinite(*number)) throw Error(where, shown(words[i]) + " is not a finite number", kHint);
+    if (!number || !std::isfinite(*number))
+      throw Error(where, shown(words[i]) + " is not a finite number", kHint);
     matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = *number;
   }
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();
   constexpr double kTolerance = 1e-2;  // files round to a few digits
-  const bool is_rotation = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerance &&
-                           rotation.determinant() > 0;
+  const bool is_rotation =
+      (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerance &&
+      rotation.determinant() > 0;
   if (!is_rotation) throw Error(where, "its matrix is no rotation", kHint);
   return {time, Pose(Eigen::Quaterniond(rotation), matrix.col(3))};
 }
@@ -64,8 +67,8 @@ std::string as_tum_row(std::string_view line) {
   constexpr std::size_t kNumbers = 8;
   const std::optional<double> time = words.size() < kNumbers ? std::nullopt : parse_number(words[0]);
   if (!time) return "";
-  return fmt::format("{:.9f} {} {} {} {} {} {} {}\n", 1e-9 * *time, words[1], words[2], words[3], words[5], words[6],
-                     words[7], words[4]);
+  return fmt::format("{:.9f} {} {} {} {} {} {} {}\n", 1e-9 * *time, words[1], words[2], words[3], words[5],
+                     words[6], words[7], words[4]);
 }
 
 GroundTruth parse_euroc(std::string_view text) {
@@ -100,7 +103,8 @@ TrajectoryFile parse_any_trajectory(std::string_view text, const std::string& wh
 }
 
 TrajectoryFile read_any_trajectory(const std::filesystem::path& path) {
-  return parse_any_trajectory(read_file(path, "give a trajectory file in TUM, KITTI or EuRoC format"), path.string());
+  return parse_any_trajectory(read_file(path, "give a trajectory file in TUM, KITTI or EuRoC format"),
+                              path.string());
 }
 
 }  // namespace stdc

@@ -19,8 +19,8 @@ struct TrajectoryFile {
   GroundTruth content;  ///< of KITTI poses the times are 0, 0.1, 0.2 ..: KITTI's camera has 10 Hz
 };
 
-/// Tells the format by the first row that says something, and reads the rest as read_ground_truth() does: rows
-/// without a pose are left out and counted. In KITTI format every row counts, so none may be amiss.
+/// Tells the format by the first row that says something, and reads the rest as read_ground_truth() does:
+/// rows without a pose are left out and counted. In KITTI format every row counts, so none may be amiss.
 /// Throws Error naming `where`.
 TrajectoryFile parse_any_trajectory(std::string_view text, const std::string& where);
 /// The same of a file. Throws Error if it cannot be read.

@@ -70,8 +70,9 @@ Inputs open_inputs(const Options& options, const std::vector<AblationColumn>& co
 }
 
 /// The run as the page shows it. Time and memory are those of the whole program, so they are left out.
-std::shared_ptr<const nlohmann::ordered_json> page_run(const SequenceInput& input, const AblationColumn& column,
-                                                       const RunRecord& record, const Slam& slam, const RunScore& score,
+std::shared_ptr<const nlohmann::ordered_json> page_run(const SequenceInput& input,
+                                                       const AblationColumn& column, const RunRecord& record,
+                                                       const Slam& slam, const RunScore& score,
                                                        const Trajectory& estimate) {
   RunSummary summary;
   summary.sequence = input.name;
@@ -138,7 +139,8 @@ void run_ablation(const Options& options) {
   output->write("ablation.md", format_markdown(table));
   output->write("ablation.json", format_json(table));
   if (!options.no_report) {
-    output->write("report.html", bounded_report_page(ablation_document(table, {shell_command(process_arguments())})));
+    output->write("report.html",
+                  bounded_report_page(ablation_document(table, {shell_command(process_arguments())})));
   }
   output->commit();
 }
@@ -169,7 +171,8 @@ void add_ablation_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
   command.add_option("INPUTS", options->sequences, std::string(kInputHelp) + ", with true poses").required();
-  command.add_option("--output,-o", options->output, "Folder for ablation.md, ablation.json and report.html (the page)");
+  command.add_option("--output,-o", options->output,
+                     "Folder for ablation.md, ablation.json and report.html (the page)");
   add_input_options(command, options->input);
   add_truth_option(command, options->input);
   add_frames_option(command, options->input);

@@ -76,7 +76,8 @@ std::string format_markdown(const AblationTable& table) {
                      markdown(cells(table, time)));
 }
 
-nlohmann::ordered_json ablation_document(const AblationTable& table, const std::vector<std::string>& commands) {
+nlohmann::ordered_json ablation_document(const AblationTable& table,
+                                         const std::vector<std::string>& commands) {
   using Json = nlohmann::ordered_json;
   const auto table_json = [](const char* id, const char* title, std::vector<std::vector<std::string>> lines) {
     const std::vector<std::string> head = lines.front();
@@ -91,7 +92,9 @@ nlohmann::ordered_json ablation_document(const AblationTable& table, const std::
     }
     groups.push_back({{"title", row.sequence}, {"runs", std::move(runs)}});
   }
-  Json document = report_of("Ablation", fmt::format("{} sequence{}, {} columns", table.rows.size(), table.rows.size() == 1 ? "" : "s", table.columns.size()),
+  Json document = report_of("Ablation",
+                            fmt::format("{} sequence{}, {} columns", table.rows.size(),
+                                        table.rows.size() == 1 ? "" : "s", table.columns.size()),
                             std::move(groups), commands);
   document["tables"] = Json::array({table_json("accuracy", kAccuracyTitle, cells(table, accuracy)),
                                     table_json("time", kTimeTitle, cells(table, time))});

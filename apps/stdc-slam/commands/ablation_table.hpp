@@ -14,7 +14,7 @@ struct AblationCell {
   double coverage = 0;             ///< share of the frames that have a pose in the map that holds most
   std::optional<double> frame_ms;  ///< median wall milliseconds of the tracking thread
   /// The run for the page, if there is to be one.
-  std::shared_ptr<const nlohmann::ordered_json> run;
+  std::shared_ptr<const nlohmann::ordered_json> run = nullptr;
 };
 
 struct AblationRow {
@@ -36,6 +36,7 @@ std::string format_markdown(const AblationTable& table);
 std::string format_json(const AblationTable& table);
 
 /// The document of a page: the two tables, and the columns of each sequence side by side.
-nlohmann::ordered_json ablation_document(const AblationTable& table, const std::vector<std::string>& commands);
+nlohmann::ordered_json ablation_document(const AblationTable& table,
+                                         const std::vector<std::string>& commands);
 
 }  // namespace stdc::app

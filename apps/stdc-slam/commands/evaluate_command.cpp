@@ -44,9 +44,11 @@ TrajectoryFile read_poses(const std::string& path) {
 
 /// Poses of KITTI have no times: only equally many can belong together, one by one.
 void check_formats(const Options& options, const TrajectoryFile& truth, const TrajectoryFile& estimate) {
-  const bool true_times = truth.format != TrajectoryFormat::kitti, times = estimate.format != TrajectoryFormat::kitti;
+  const bool true_times = truth.format != TrajectoryFormat::kitti,
+             times = estimate.format != TrajectoryFormat::kitti;
   if (true_times != times) {
-    throw Error(times ? options.truth : options.estimate, "has no times, it is in KITTI format, and the other file has some",
+    throw Error(times ? options.truth : options.estimate,
+                "has no times, it is in KITTI format, and the other file has some",
                 "give both in KITTI format, or both with times");
   }
   if (!times && truth.content.poses.size() != estimate.content.poses.size()) {
@@ -62,15 +64,19 @@ Evaluation compare(const Options& options) {
   check_formats(options, truth, estimate);
   const TruthConvention convention = recognise_convention(truth.content.poses, estimate.content.poses);
   if (!convention.usual()) fmt::print(stderr, "stdc-slam: {}: {}\n", options.truth, convention.note());
-  Evaluation evaluation{options.truth, options.estimate, apply_convention(truth.content.poses, convention),
-                        estimate.content.poses, {}, {}};
+  Evaluation evaluation{options.truth,
+                        options.estimate,
+                        apply_convention(truth.content.poses, convention),
+                        estimate.content.poses,
+                        {},
+                        {}};
   try {
     evaluation.scores = score_trajectory(evaluation.truth, evaluation.estimate, options.max_difference);
   } catch (const Error& error) {
     throw Error(options.estimate, error.problem(), error.hint());
   }
-  evaluation.errors = pose_errors(evaluation.truth, evaluation.estimate, evaluation.scores.truth_from_estimate,
-                                  options.max_difference);
+  evaluation.errors = pose_errors(evaluation.truth, evaluation.estimate,
+                                  evaluation.scores.truth_from_estimate, options.max_difference);
   return evaluation;
 }
 
@@ -92,9 +98,8 @@ void write_files(const Options& options, const Evaluation& evaluation) {
   };
   write(options.plot, [&] { return evaluation_svg(evaluation); });
   write(options.report, [&] { return page_of(evaluation); });
-  write(options.save_results, [&] {
-    return evo_result(evaluation.scores, evaluation.errors, options.truth, options.estimate);
-  });
+  write(options.save_results,
+        [&] { return evo_result(evaluation.scores, evaluation.errors, options.truth, options.estimate); });
   for (WholeFile& file : files) file.commit();
 }
 
@@ -114,15 +119,19 @@ void evaluate(const Options& options) {
 void add_evaluate_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("evaluate", "Score an estimated trajectory against the truth");
-  command.add_option("GROUNDTRUTH", options->truth, "True trajectory, in the format of TUM, KITTI or EuRoC").required();
-  command.add_option("ESTIMATE", options->estimate, "Estimated trajectory, in the format of TUM or KITTI").required();
+  command.add_option("GROUNDTRUTH", options->truth, "True trajectory, in the format of TUM, KITTI or EuRoC")
+      .required();
+  command.add_option("ESTIMATE", options->estimate, "Estimated trajectory, in the format of TUM or KITTI")
+      .required();
   command.add_option("--max-difference", options->max_difference, "Largest time difference of a pair [s]")
       .capture_default_str();
   command.add_flag("--json", options->json, "Print JSON, in metres and degrees");
   command.add_option("--plot", options->plot, "Drawing of path and errors, as SVG").type_name("FILE");
-  command.add_option("--report", options->report, "Page with all of it, as run writes it (HTML)").type_name("FILE");
+  command.add_option("--report", options->report, "Page with all of it, as run writes it (HTML)")
+      .type_name("FILE");
   command
-      .add_option("--save-results", options->save_results, "Results as evo_ape --save_results writes them (ZIP), for evo_res")
+      .add_option("--save-results", options->save_results,
+                  "Results as evo_ape --save_results writes them (ZIP), for evo_res")
       .type_name("FILE");
   command.footer(R"(
 ATE: distance after rigid (SE(3)) alignment. RPE: error of the motion from a pair to the next, and to the

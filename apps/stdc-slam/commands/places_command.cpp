@@ -158,7 +158,8 @@ nlohmann::json to_json(const PlaceScores& scores, const PlaceRecognitionTest& te
 std::string draw_curve(const PlaceScores& scores, const std::string& name) {
   SvgPlot plot({70, 80, 560, 560}, {{-0.02, -0.02}, {1.02, 1.02}, "recall", "precision", true});
   std::vector<Eigen::Vector2d> curve{{0, 1}};
-  for (const PrecisionRecallPoint& point : scores.first.curve) curve.emplace_back(point.recall, point.precision);
+  for (const PrecisionRecallPoint& point : scores.first.curve)
+    curve.emplace_back(point.recall, point.precision);
   constexpr const char* kByScore = "#0072b2";
   constexpr const char* kVerified = "#d55e00";
   plot.line(curve, 2, kByScore);
@@ -171,8 +172,8 @@ std::string draw_curve(const PlaceScores& scores, const std::string& name) {
     plot.legend("verified", kVerified, true);
   }
   return svg_drawing(680, 710,
-                     fmt::format("Places recognised in {}: {} views, {} see a place again", name, scores.views,
-                                 scores.possible),
+                     fmt::format("Places recognised in {}: {} views, {} see a place again", name,
+                                 scores.views, scores.possible),
                      {plot});
 }
 

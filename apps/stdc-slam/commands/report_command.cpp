@@ -29,7 +29,8 @@ struct Options {
 
 constexpr std::size_t kMaxRuns = 24;  // more cannot be told apart
 
-/// What the runs of a folder or file are called: the folder, or the file if its name says more than ours does.
+/// What the runs of a folder or file are called: the folder, or the file if its name says more than ours
+/// does.
 std::string name_of(const fs::path& given) {
   std::error_code failed;
   const fs::path whole = fs::canonical(given, failed);
@@ -42,7 +43,8 @@ NamedReport read_report(const std::string& given) {
   std::error_code failed;
   const fs::path path = fs::is_directory(given, failed) ? fs::path(given) / "report.html" : fs::path(given);
   constexpr std::size_t kMaxBytes = 64 << 20U;
-  const std::string page = read_file(path, "run it again without --no-report, or give a folder that run wrote", kMaxBytes);
+  const std::string page =
+      read_file(path, "run it again without --no-report, or give a folder that run wrote", kMaxBytes);
   if (page.starts_with("PK")) {
     nlohmann::ordered_json group = {{"title", name_of(given)}, {"runs", {evo_run(page, path.string())}}};
     return {name_of(given), {{"groups", nlohmann::ordered_json::array({std::move(group)})}}};
@@ -56,13 +58,15 @@ void compare(const Options& options) {
   nlohmann::ordered_json groups = merge_reports(std::move(reports));
   const std::size_t count = groups[0]["runs"].size();
   if (count > kMaxRuns) {
-    throw Error("report", fmt::format("{} runs are too many for a page", count), fmt::format("give at most {}", kMaxRuns));
+    throw Error("report", fmt::format("{} runs are too many for a page", count),
+                fmt::format("give at most {}", kMaxRuns));
   }
   if (count == 0) throw Error("report", "there are no runs in what was given", "give folders that run wrote");
   const std::string title = groups[0]["title"];
   const std::string subtitle = count == 1 ? "one run" : fmt::format("{} runs side by side", count);
   WholeFile file(options.output);
-  file.stream() << bounded_report_page(report_of(title, subtitle, std::move(groups), {shell_command(process_arguments())}));
+  file.stream() << bounded_report_page(
+      report_of(title, subtitle, std::move(groups), {shell_command(process_arguments())}));
   file.commit();
   fmt::print("report: {}\n", options.output.string());
 }
@@ -72,7 +76,10 @@ void compare(const Options& options) {
 void add_report_command(Command program) {
   auto options = std::make_shared<Options>();
   Command command = program.add_subcommand("report", "Put runs side by side on a page");
-  command.add_option("RUNS", options->runs, "Output folders of run, pages that this program wrote, or results of evo_ape (ZIP)").required();
+  command
+      .add_option("RUNS", options->runs,
+                  "Output folders of run, pages that this program wrote, or results of evo_ape (ZIP)")
+      .required();
   command.add_option("--output,-o", options->output, "The page").type_name("FILE").capture_default_str();
   command.footer(R"(
 Takes what it shows from the report.html of each run: scores in a table with the best of each row marked, errors,

@@ -41,8 +41,7 @@ TEST(DebugImages, WritesEveryNthAndTheLost) {
     images.on_frame({100 + i, &image, result});
   }
   images.commit();
-  for (const char* name :
-       {"keypoints_000100.png", "cells_000104.png", "keypoints_000106.png"}) {
+  for (const char* name : {"keypoints_000100.png", "cells_000104.png", "keypoints_000106.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / "p" / name)) << name;
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "p/keypoints_000101.png"));

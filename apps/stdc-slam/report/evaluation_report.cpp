@@ -34,13 +34,15 @@ std::vector<std::string> warnings_of(const Evaluation& evaluation) {
   const TrajectoryScores& scores = evaluation.scores;
   std::vector<std::string> lines;
   if (scores.coverage && *scores.coverage < 0.99) {
-    lines.push_back(fmt::format(
-        "The estimate covers {:.1f} % of the time of the ground truth: a small error over part of the path says little.",
-        100 * *scores.coverage));
+    lines.push_back(
+        fmt::format("The estimate covers {:.1f} % of the time of the ground truth: a small error over part "
+                    "of the path says little.",
+                    100 * *scores.coverage));
   }
   if (scores.off_by_5_cm > 0) {
-    lines.push_back(fmt::format("{} of {} poses are more than 5 cm off the ground truth, the worst {:.0f} cm.",
-                                scores.off_by_5_cm, scores.pairs, 100 * scores.ate.maximum));
+    lines.push_back(
+        fmt::format("{} of {} poses are more than 5 cm off the ground truth, the worst {:.0f} cm.",
+                    scores.off_by_5_cm, scores.pairs, 100 * scores.ate.maximum));
   }
   return lines;
 }
@@ -58,8 +60,8 @@ std::vector<Eigen::Vector2d> points_of(const Trajectory& path, const Draw& draw,
   return points;
 }
 
-SvgAxes axes_around(const std::vector<std::vector<Eigen::Vector2d>>& lists, const std::string& x, const std::string& y,
-                    bool equal) {
+SvgAxes axes_around(const std::vector<std::vector<Eigen::Vector2d>>& lists, const std::string& x,
+                    const std::string& y, bool equal) {
   SvgAxes axes{Eigen::Vector2d::Constant(std::numeric_limits<double>::max()),
                Eigen::Vector2d::Constant(std::numeric_limits<double>::lowest()), x, y, equal};
   for (const auto& list : lists) {
@@ -77,9 +79,12 @@ SvgAxes axes_around(const std::vector<std::vector<Eigen::Vector2d>>& lists, cons
 
 /// The plan: each pose in the colour of its error.
 SvgPlot plan_plot(const Evaluation& evaluation, const DrawingFrame& frame, const Trajectory& truth) {
-  const auto flat = [](const Eigen::Vector3d& drawn, double) { return Eigen::Vector2d(drawn.x(), drawn.y()); };
+  const auto flat = [](const Eigen::Vector3d& drawn, double) {
+    return Eigen::Vector2d(drawn.x(), drawn.y());
+  };
   const auto of_truth = [&](const Eigen::Vector3d& p) { return frame.of_truth(p); };
-  const auto true_points = points_of(truth, of_truth, flat), points = points_of(evaluation.estimate, frame, flat);
+  const auto true_points = points_of(truth, of_truth, flat),
+             points = points_of(evaluation.estimate, frame, flat);
   const nlohmann::ordered_json names = frame.names();
   SvgPlot plot({80, 90, 480, 480}, axes_around({true_points, points}, names["x"].get<std::string>() + " [m]",
                                                names["y"].get<std::string>() + " [m]", true));
@@ -93,7 +98,8 @@ SvgPlot plan_plot(const Evaluation& evaluation, const DrawingFrame& frame, const
   for (const PoseError& error : evaluation.errors) {
     while (pose != evaluation.estimate.end() && pose->timestamp < error.timestamp) ++pose;
     if (pose == evaluation.estimate.end()) break;
-    const auto group = std::min<std::size_t>(kColours - 1, static_cast<std::size_t>(kColours * error.distance / largest));
+    const auto group =
+        std::min<std::size_t>(kColours - 1, static_cast<std::size_t>(kColours * error.distance / largest));
     groups[group].push_back(flat(frame(pose->world_from_cam.translation), 0));
   }
   for (std::size_t i = 0; i < groups.size(); ++i) plot.dots(groups[i], 2, colours[i]);
@@ -122,25 +128,33 @@ std::string evaluation_svg(const Evaluation& evaluation) {
   const DrawingFrame frame(paths_of(evaluation));
   Trajectory truth;
   for (const StampedPose& pose : evaluation.truth) {
-    const bool common = pose.timestamp >= evaluation.estimate.front().timestamp && pose.timestamp <= evaluation.estimate.back().timestamp;
+    const bool common = pose.timestamp >= evaluation.estimate.front().timestamp &&
+                        pose.timestamp <= evaluation.estimate.back().timestamp;
     if (common) truth.push_back(pose);
   }
   const double start = evaluation.errors.front().timestamp;
   std::vector<Eigen::Vector2d> errors;
-  for (const PoseError& error : evaluation.errors) errors.emplace_back(error.timestamp - start, 1e3 * error.distance);
+  for (const PoseError& error : evaluation.errors)
+    errors.emplace_back(error.timestamp - start, 1e3 * error.distance);
   SvgAxes error_axes = axes_around({errors}, "time [s]", "error [mm]", false);
   error_axes.low.y() = 0;
   SvgPlot error_plot({720, 90, 480, 190}, error_axes);
   error_plot.line(errors, 1.5, kEstimate);
-  const auto height = [&](const Eigen::Vector3d& drawn, double time) { return Eigen::Vector2d(time - start, drawn.z()); };
+  const auto height = [&](const Eigen::Vector3d& drawn, double time) {
+    return Eigen::Vector2d(time - start, drawn.z());
+  };
   const auto of_truth = [&](const Eigen::Vector3d& p) { return frame.of_truth(p); };
-  const auto true_heights = points_of(truth, of_truth, height), heights = points_of(evaluation.estimate, frame, height);
-  SvgPlot height_plot({720, 380, 480, 190}, axes_around({true_heights, heights}, "time [s]", frame.names()["z"].get<std::string>() + " [m]", false));
+  const auto true_heights = points_of(truth, of_truth, height),
+             heights = points_of(evaluation.estimate, frame, height);
+  SvgPlot height_plot({720, 380, 480, 190},
+                      axes_around({true_heights, heights}, "time [s]",
+                                  frame.names()["z"].get<std::string>() + " [m]", false));
   height_plot.line(true_heights, 4, kTruth);
   height_plot.line(heights, 1.5, kEstimate);
-  const std::string title = fmt::format("{}: ATE {:.2f} mm RMSE, median {:.2f}, largest {:.2f} ({} poses)", file_name(evaluation.estimate_name),
-                                        1e3 * evaluation.scores.ate.rmse, 1e3 * evaluation.scores.ate.median, 1e3 * evaluation.scores.ate.maximum,
-                                        evaluation.scores.pairs);
+  const std::string title = fmt::format("{}: ATE {:.2f} mm RMSE, median {:.2f}, largest {:.2f} ({} poses)",
+                                        file_name(evaluation.estimate_name), 1e3 * evaluation.scores.ate.rmse,
+                                        1e3 * evaluation.scores.ate.median,
+                                        1e3 * evaluation.scores.ate.maximum, evaluation.scores.pairs);
   return svg_drawing(1230, 630, title, {plan_plot(evaluation, frame, truth), error_plot, height_plot});
 }
 

@@ -19,7 +19,8 @@ struct Evaluation {
 /// It as a run of a page.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
 
-/// It as a drawing: the path from above with its errors, errors and height over time. SVG; the same bytes each time.
+/// It as a drawing: the path from above with its errors, errors and height over time. SVG; the same bytes
+/// each time.
 std::string evaluation_svg(const Evaluation& evaluation);
 
 }  // namespace stdc::app

@@ -21,7 +21,8 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
-/// A NumPy file, version 1.0 of its format: magic, length and text of a header that ends at a multiple of 64, numbers.
+/// A NumPy file, version 1.0 of its format: magic, length and text of a header that ends at a multiple of 64,
+/// numbers.
 std::string npy(const std::vector<double>& numbers, const std::string& shape) {
   std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", shape);
   constexpr std::size_t kBefore = 10, kMultiple = 64;
@@ -33,7 +34,9 @@ std::string npy(const std::vector<double>& numbers, const std::string& shape) {
   return file.append(reinterpret_cast<const char*>(numbers.data()), sizeof(double) * numbers.size());
 }
 
-std::string npy(const std::vector<double>& numbers) { return npy(numbers, fmt::format("{},", numbers.size())); }
+std::string npy(const std::vector<double>& numbers) {
+  return npy(numbers, fmt::format("{},", numbers.size()));
+}
 
 [[noreturn]] void refuse(const std::string& where, const std::string& problem) {
   throw Error(where, problem, "give results of evo_ape with --save_results");
@@ -51,8 +54,8 @@ std::vector<double> numbers_of(const std::string& file, const std::string& where
 }
 
 /// The array of that name, whatever evo called its file: .npy now, .npz earlier.
-std::optional<std::vector<double>> array(const std::map<std::string, std::string>& files, const std::string& name,
-                                         const std::string& where) {
+std::optional<std::vector<double>> array(const std::map<std::string, std::string>& files,
+                                         const std::string& name, const std::string& where) {
   for (const char* const ending : {".npy", ".npz"}) {
     const auto found = files.find(name + ending);
     if (found != files.end()) return numbers_of(found->second, where);
@@ -60,7 +63,8 @@ std::optional<std::vector<double>> array(const std::map<std::string, std::string
   return std::nullopt;
 }
 
-Json parse(const std::map<std::string, std::string>& files, const std::string& name, const std::string& where) {
+Json parse(const std::map<std::string, std::string>& files, const std::string& name,
+           const std::string& where) {
   const auto found = files.find(name);
   Json json = found == files.end() ? Json() : Json::parse(found->second, nullptr, false);
   if (!json.is_object()) refuse(where, "has no " + name + " as evo writes it");
@@ -125,9 +129,10 @@ Json evo_run(std::string_view archive, const std::string& where) {
     ate[name] = stats.contains(name) && stats[name].is_number() ? stats[name] : Json();
   }
   const std::string name = info.value("est_name", "estimate");
-  Json run = {{"name", info.value("ref_name", "")},
-              {"label", name},
-              {"summary", {{"scores", {{"pairs", errors.size()}, {"off_by_5_cm", far_off}, {"ate_m", ate}}}}}};
+  Json run = {
+      {"name", info.value("ref_name", "")},
+      {"label", name},
+      {"summary", {{"scores", {{"pairs", errors.size()}, {"off_by_5_cm", far_off}, {"ate_m", ate}}}}}};
   add_errors(run, errors);
   return run;
 }

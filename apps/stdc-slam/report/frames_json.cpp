@@ -92,7 +92,8 @@ std::vector<StatusBand> status_bands(const std::vector<TrackingResult>& results)
   for (const TrackingResult& result : results) {
     const bool counts = result.status == TrackingStatus::uncertain || result.status == TrackingStatus::lost;
     const bool goes_on = last != nullptr && last->status == result.status;
-    if (!bands.empty() && last != nullptr && bands.back().to == last->timestamp && last->status == bands.back().status) {
+    if (!bands.empty() && last != nullptr && bands.back().to == last->timestamp &&
+        last->status == bands.back().status) {
       bands.back().to = result.timestamp;
     }
     if (counts && !goes_on) bands.push_back({result.status, result.timestamp, result.timestamp, 0});

@@ -22,8 +22,8 @@ std::vector<StatusBand> status_bands(const std::vector<TrackingResult>& results)
 /// The camera's: the median time from frame to frame [s]; nothing with fewer than two frames.
 std::optional<double> frame_period(const std::vector<TrackingResult>& results);
 
-/// Adds what happened over time to a run of the page: "first_time", "duration_s", "period_ms", "every", "frames",
-/// "bands", "histograms", "quantiles".
+/// Adds what happened over time to a run of the page: "first_time", "duration_s", "period_ms", "every",
+/// "frames", "bands", "histograms", "quantiles".
 /// @param errors  of the poses that could be compared, by time
 void add_frames(nlohmann::ordered_json& run, const RunRecord& record, const std::vector<PoseError>& errors);
 

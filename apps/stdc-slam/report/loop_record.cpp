@@ -43,8 +43,8 @@ std::string LoopRecord::text() const {
   std::vector<double> times;
   for (const Entry& loop : loops_) times.push_back(loop.report.correction_ms);
   const double longest = *std::max_element(times.begin(), times.end());
-  return fmt::format("loops closed: {}, maps merged: {}; correction {} ms (median; longest: {:.0f})\n", loops(),
-                     merges(), to_text(quantiles(std::move(times)).median, 0), longest);
+  return fmt::format("loops closed: {}, maps merged: {}; correction {} ms (median; longest: {:.0f})\n",
+                     loops(), merges(), to_text(quantiles(std::move(times)).median, 0), longest);
 }
 
 }  // namespace stdc::app

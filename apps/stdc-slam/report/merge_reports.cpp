@@ -101,7 +101,8 @@ Json merge_reports(std::vector<NamedReport> reports) {
   Json runs = Json::array();
   for (NamedReport& report : reports) {
     for_each_run(report.document, [&](Json& run) {
-      const bool alone = report.document["groups"].size() == 1 && report.document["groups"][0]["runs"].size() == 1;
+      const bool alone =
+          report.document["groups"].size() == 1 && report.document["groups"][0]["runs"].size() == 1;
       std::string label = alone ? report.name : report.name + ": " + run.value("label", "");
       if (const int number = ++uses[label]; number > 1) label += fmt::format(" ({})", number);
       run["label"] = std::move(label);
@@ -124,7 +125,8 @@ std::string bounded_report_page(Json document, std::size_t max_bytes) {
     if (!halve_images(document)) {
       bool any = false;
       for_each_run(document, [&](Json& run) {
-        const bool has_points = run.contains("frames") && run["frames"].contains("time") && run["frames"]["time"].size() > 50;
+        const bool has_points =
+            run.contains("frames") && run["frames"].contains("time") && run["frames"]["time"].size() > 50;
         if (has_points) halve_points(run);
         any = any || has_points;
       });

@@ -12,8 +12,8 @@ struct NamedReport {
   nlohmann::ordered_json document;
 };
 
-/// One group with the runs of all of them, in order. Of the sample frames those stay that several runs have; names
-/// that are not unique get a number.
+/// One group with the runs of all of them, in order. Of the sample frames those stay that several runs have;
+/// names that are not unique get a number.
 nlohmann::ordered_json merge_reports(std::vector<NamedReport> reports);
 
 /// The page of a document, at most `max_bytes` long: runs of a page with many of them get fewer pictures and

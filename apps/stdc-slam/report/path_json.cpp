@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kPositionDecimals = 4;  // [m]
-constexpr double kMaxGap = 0.25;  // [s]; a line across a longer one would show a way that nobody has seen
+constexpr double kMaxGap = 0.25;      // [s]; a line across a longer one would show a way that nobody has seen
 
 /// Up in the axes of the camera: `rotation` degrees clockwise turn its image upright.
 Eigen::Vector3d up_in_camera(int rotation) {
@@ -30,8 +30,8 @@ Eigen::Vector3d up_in_camera(int rotation) {
   }
 }
 
-/// The rows of a rotation that takes an axis of the world, `up` with its sign, to z. From above the first axis
-/// points right.
+/// The rows of a rotation that takes an axis of the world, `up` with its sign, to z. From above the first
+/// axis points right.
 Eigen::Matrix3d rotation_of_axes(int up, double sign) {
   const int right = up == 0 ? 1 : 0;
   const int along = 3 - up - right;
@@ -46,8 +46,7 @@ Eigen::Matrix3d rotation_of_axes(int up, double sign) {
 /// Points as columns, thinned, with nulls where a line must not go on.
 Json path_columns(const Trajectory& path, const std::vector<Eigen::Vector3d>& drawn, double first_time,
                   double max_gap = kMaxGap) {
-  Json columns = {
-      {"time", Json::array()}, {"x", Json::array()}, {"y", Json::array()}, {"z", Json::array()}};
+  Json columns = {{"time", Json::array()}, {"x", Json::array()}, {"y", Json::array()}, {"z", Json::array()}};
   const auto push = [&](const Json& time, const std::array<Json, 3>& position) {
     columns["time"].push_back(time);
     for (std::size_t i = 0; i < 3; ++i) columns[std::string(1, "xyz"[i])].push_back(position[i]);

@@ -67,9 +67,9 @@ std::string text_for_html(const std::string& text) {
 std::string scripts() {
   std::string all;
   for (const std::string_view part :
-       {report_text_script(), report_figures_script(), report_run_figures_script(), report_time_figure_script(),
-        report_sections_script(), report_comparison_figures_script(), report_comparison_script(),
-        report_page_script()}) {
+       {report_text_script(), report_figures_script(), report_run_figures_script(),
+        report_time_figure_script(), report_sections_script(), report_comparison_figures_script(),
+        report_comparison_script(), report_page_script()}) {
     all.append(part).append("\n");
   }
   return all;

@@ -6,9 +6,9 @@
 
 namespace stdc::app {
 
-/// A page that is complete in itself: data, style, scripts and the library of its plots in one HTML file, which loads
-/// nothing. What it shows is in `document`, docs/report.md has the layout; "title" is there in any case. Bytes
-/// that are no UTF-8 become replacement characters. The same document gives the same bytes.
+/// A page that is complete in itself: data, style, scripts and the library of its plots in one HTML file,
+/// which loads nothing. What it shows is in `document`, docs/report.md has the layout; "title" is there in
+/// any case. Bytes that are no UTF-8 become replacement characters. The same document gives the same bytes.
 std::string report_page(const nlohmann::ordered_json& document);
 
 /// The document of a page that report_page() made. Throws Error naming `where` if it is none.

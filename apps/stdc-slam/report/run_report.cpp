@@ -133,7 +133,8 @@ Json report_of(const std::string& title, const std::string& subtitle, Json group
   return {{"title", title},
           {"subtitle", subtitle},
           {"machine", machine_name()},
-          {"groups", std::move(groups)}, {"commands", commands}};
+          {"groups", std::move(groups)},
+          {"commands", commands}};
 }
 
 }  // namespace stdc::app

@@ -16,10 +16,10 @@ struct RunReport {
   const RunSummary& summary;
   const RunRecord& record;
   const Settings& settings;
-  ReportPaths paths;                                        ///< without the errors
-  const SampleFrames* samples = nullptr;                    ///< null: there are none
-  std::vector<std::pair<std::string, std::string>> facts;   ///< what ran on what: name and value
-  bool own_frames = true;                                   ///< keyframes are of this run: no map was loaded
+  ReportPaths paths;                                       ///< without the errors
+  const SampleFrames* samples = nullptr;                   ///< null: there are none
+  std::vector<std::pair<std::string, std::string>> facts;  ///< what ran on what: name and value
+  bool own_frames = true;                                  ///< keyframes are of this run: no map was loaded
 };
 
 /// A run as the page shows it; docs/report.md has the layout.

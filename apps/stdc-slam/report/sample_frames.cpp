@@ -15,10 +15,10 @@ namespace {
 
 constexpr int kRegular = 9;
 constexpr std::size_t kFailed = 4;
-constexpr int kWidth = 400;         // of a picture [px]
-constexpr int kQuality = 78;        // of its JPEG
+constexpr int kWidth = 400;   // of a picture [px]
+constexpr int kQuality = 78;  // of its JPEG
 constexpr std::size_t kMaxBytes = 60000;
-constexpr int kPixelStep = 8;       // every so many rows and columns are looked at for depth
+constexpr int kPixelStep = 8;  // every so many rows and columns are looked at for depth
 
 double dynamic_share(const TrackingResult& result) {
   const double people = result.segmentation ? result.segmentation->dynamic_share : 0;
@@ -26,9 +26,11 @@ double dynamic_share(const TrackingResult& result) {
 }
 
 std::string describe(const TrackingResult& result) {
-  std::string text = result.status == TrackingStatus::ok ? "" : std::string(status_name(result.status)) + ", ";
+  std::string text =
+      result.status == TrackingStatus::ok ? "" : std::string(status_name(result.status)) + ", ";
   text += fmt::format("{} inliers", result.inliers);
-  if (result.segmentation || result.motion) text += fmt::format(", {:.0f} % dynamic", 100 * dynamic_share(result));
+  if (result.segmentation || result.motion)
+    text += fmt::format(", {:.0f} % dynamic", 100 * dynamic_share(result));
   return result.is_keyframe ? text + ", keyframe" : text;
 }
 
@@ -102,7 +104,8 @@ std::vector<SampleFrame> SampleFrames::frames() const {
   std::vector<SampleFrame> all = regular_;
   all.insert(all.end(), failed_.begin(), failed_.end());
   if (busiest_) all.push_back(*busiest_);
-  std::sort(all.begin(), all.end(), [](const SampleFrame& a, const SampleFrame& b) { return a.number < b.number; });
+  std::sort(all.begin(), all.end(),
+            [](const SampleFrame& a, const SampleFrame& b) { return a.number < b.number; });
   return all;
 }
 

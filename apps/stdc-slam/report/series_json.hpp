@@ -27,9 +27,9 @@ double rounded(double value, int decimals);
 nlohmann::ordered_json column(std::span<const std::optional<double>> values, int every, Pick pick,
                               int decimals);
 
-/// How often which value came: {"start", "step", "counts", "more"}; "more": the last one counts all above, too.
-/// Null without values. Steps are 1, 2 or 5 times a power of ten; what lies far above nearly all the others is
-/// put into the last one.
+/// How often which value came: {"start", "step", "counts", "more"}; "more": the last one counts all above,
+/// too. Null without values. Steps are 1, 2 or 5 times a power of ten; what lies far above nearly all the
+/// others is put into the last one.
 nlohmann::ordered_json histogram(std::vector<double> values);
 
 /// The quantiles 0, 1, .. 100 %, each a value that came; null without values.

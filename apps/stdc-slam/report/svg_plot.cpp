@@ -19,7 +19,11 @@ std::string escaped(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
-    std::size_t length = c < 0x80 ? 1 : c >= 0xc2 && c < 0xe0 ? 2 : c >= 0xe0 && c < 0xf0 ? 3 : c >= 0xf0 && c < 0xf5 ? 4 : 0;
+    std::size_t length = c < 0x80                ? 1
+                         : c >= 0xc2 && c < 0xe0 ? 2
+                         : c >= 0xe0 && c < 0xf0 ? 3
+                         : c >= 0xf0 && c < 0xf5 ? 4
+                                                 : 0;
     for (std::size_t k = 1; k < length; ++k) {
       if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xc0U) != 0x80) length = 0;
     }
@@ -39,10 +43,11 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string label(double x, double y, const char* anchor, double size, const char* colour, const std::string& text,
-                  const std::string& more = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{:g}\" fill=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, size, colour, more, escaped(text));
+std::string label(double x, double y, const char* anchor, double size, const char* colour,
+                  const std::string& text, const std::string& more = "") {
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{:g}\" fill=\"{}\"{}>{}</text>\n", x, y,
+      anchor, size, colour, more, escaped(text));
 }
 
 /// The largest of 1, 2, 5 times a power of ten that gives four steps or more.
@@ -87,8 +92,10 @@ void SvgPlot::draw_axis(int axis, const std::string& name) {
     place[axis] = k * step;
     const Eigen::Vector2d at = to_pixel(place);
     const std::string text = fmt::format("{:.{}f}", k == 0 ? 0.0 : k * step, digits);
-    const Eigen::Vector2d end = axis == 0 ? Eigen::Vector2d(at.x(), area_.top) : Eigen::Vector2d(right, at.y());
-    axes_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>\n", at.x(), at.y(), end.x(), end.y(), kGrid);
+    const Eigen::Vector2d end =
+        axis == 0 ? Eigen::Vector2d(at.x(), area_.top) : Eigen::Vector2d(right, at.y());
+    axes_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>\n", at.x(), at.y(),
+                         end.x(), end.y(), kGrid);
     axes_ += axis == 0 ? label(at.x(), bottom + 16, "middle", 11, kSoft, text)
                        : label(area_.left - 6, at.y() + 4, "end", 11, kSoft, text);
   }
@@ -96,7 +103,8 @@ void SvgPlot::draw_axis(int axis, const std::string& name) {
     axes_ += label(area_.left + area_.width / 2, bottom + 34, "middle", 12, kSoft, name);
   } else {
     const double x = area_.left - 46, y = area_.top + area_.height / 2;
-    axes_ += label(x, y, "middle", 12, kSoft, name, fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", x, y));
+    axes_ +=
+        label(x, y, "middle", 12, kSoft, name, fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", x, y));
   }
 }
 
@@ -113,45 +121,61 @@ void SvgPlot::line(const std::vector<Eigen::Vector2d>& points, double width, con
     drawing = true;
   }
   if (path.empty()) return;
-  data_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\" stroke-linejoin=\"round\"/>\n", path, colour, width);
+  data_ += fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\" stroke-linejoin=\"round\"/>\n", path,
+      colour, width);
 }
 
 void SvgPlot::dots(const std::vector<Eigen::Vector2d>& points, double radius, const std::string& colour) {
   for (const Eigen::Vector2d& point : points) {
     if (!point.allFinite()) continue;
     const Eigen::Vector2d at = to_pixel(point);
-    data_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\"/>\n", at.x(), at.y(), radius, colour);
+    data_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\"/>\n", at.x(), at.y(),
+                         radius, colour);
   }
 }
 
 void SvgPlot::legend(const std::string& text, const std::string& colour, bool as_dot) {
   const double y = area_.top - 10;
-  marks_ += as_dot ? fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", legend_x_ + 9, y - 4, colour)
-                   : fmt::format("<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"3\"/>\n", legend_x_, y - 4, colour);
+  marks_ += as_dot ? fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", legend_x_ + 9,
+                                 y - 4, colour)
+                   : fmt::format("<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"3\"/>\n",
+                                 legend_x_, y - 4, colour);
   marks_ += label(legend_x_ + 23, y, "start", 12, kInk, text);
   legend_x_ += 40 + kLetter * static_cast<double>(text.size());
 }
 
-void SvgPlot::colour_bar(const std::vector<std::string>& colours, const std::string& low, const std::string& high) {
+void SvgPlot::colour_bar(const std::vector<std::string>& colours, const std::string& low,
+                         const std::string& high) {
   const double x = area_.left + area_.width + 12, step = area_.height / static_cast<double>(colours.size());
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double y = area_.top + area_.height - step * static_cast<double>(i + 1);
-    marks_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"10\" height=\"{:.1f}\" fill=\"{}\"/>\n", x, y, step + 0.3, colours[i]);
+    marks_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"10\" height=\"{:.1f}\" fill=\"{}\"/>\n", x,
+                          y, step + 0.3, colours[i]);
   }
-  marks_ += label(x + 14, area_.top + 10, "start", 11, kSoft, high) + label(x + 14, area_.top + area_.height, "start", 11, kSoft, low);
+  marks_ += label(x + 14, area_.top + 10, "start", 11, kSoft, high) +
+            label(x + 14, area_.top + area_.height, "start", 11, kSoft, low);
 }
 
 std::string SvgPlot::svg() const {
-  const std::string box = fmt::format("x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"", area_.left, area_.top, area_.width, area_.height);
+  const std::string box = fmt::format("x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"",
+                                      area_.left, area_.top, area_.width, area_.height);
   // A view of its own cuts off what lies outside.
-  return axes_ + fmt::format("<svg {} viewBox=\"{:.1f} {:.1f} {:.1f} {:.1f}\">\n{}</svg>\n<rect {} fill=\"none\" stroke=\"#8b939c\"/>\n", box,
-                             area_.left, area_.top, area_.width, area_.height, data_, box) + marks_;
+  return axes_ +
+         fmt::format(
+             "<svg {} viewBox=\"{:.1f} {:.1f} {:.1f} {:.1f}\">\n{}</svg>\n<rect {} fill=\"none\" "
+             "stroke=\"#8b939c\"/>\n",
+             box, area_.left, area_.top, area_.width, area_.height, data_, box) +
+         marks_;
 }
 
-std::string svg_drawing(double width, double height, const std::string& title, const std::vector<SvgPlot>& plots) {
+std::string svg_drawing(double width, double height, const std::string& title,
+                        const std::vector<SvgPlot>& plots) {
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\" "
-      "font-family=\"DejaVu Sans, Liberation Sans, sans-serif\">\n<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} "
+      "{1:g}\" "
+      "font-family=\"DejaVu Sans, Liberation Sans, sans-serif\">\n<title>{2}</title>\n<rect width=\"100%\" "
+      "height=\"100%\" fill=\"#ffffff\"/>\n",
       width, height, escaped(title));
   text += label(24, 30, "start", 16, kInk, title);
   for (const SvgPlot& plot : plots) text += plot.svg();
@@ -160,8 +184,15 @@ std::string svg_drawing(double width, double height, const std::string& title, c
 
 std::vector<std::string> viridis(int count) {
   // Nine points of the map of matplotlib (van der Walt and Smith, 2015; public domain).
-  constexpr std::array<std::array<double, 3>, 9> kPoints{{{68, 1, 84}, {71, 44, 122}, {59, 81, 139}, {44, 113, 142}, {33, 144, 141},
-                                                          {39, 173, 129}, {92, 200, 99}, {170, 220, 50}, {253, 231, 37}}};
+  constexpr std::array<std::array<double, 3>, 9> kPoints{{{68, 1, 84},
+                                                          {71, 44, 122},
+                                                          {59, 81, 139},
+                                                          {44, 113, 142},
+                                                          {33, 144, 141},
+                                                          {39, 173, 129},
+                                                          {92, 200, 99},
+                                                          {170, 220, 50},
+                                                          {253, 231, 37}}};
   std::vector<std::string> colours;
   for (int i = 0; i < count; ++i) {
     const double place = count > 1 ? 8.0 * i / (count - 1) : 0;
@@ -169,7 +200,8 @@ std::vector<std::string> viridis(int count) {
     const double share = place - static_cast<double>(below);
     std::string colour = "#";
     for (std::size_t k = 0; k < 3; ++k) {
-      colour += fmt::format("{:02x}", static_cast<int>(std::lround((1 - share) * kPoints[below][k] + share * kPoints[below + 1][k])));
+      colour += fmt::format("{:02x}", static_cast<int>(std::lround((1 - share) * kPoints[below][k] +
+                                                                   share * kPoints[below + 1][k])));
     }
     colours.push_back(colour);
   }

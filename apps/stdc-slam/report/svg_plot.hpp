@@ -44,7 +44,8 @@ class SvgPlot {
 };
 
 /// A drawing of several plots with a title.
-std::string svg_drawing(double width, double height, const std::string& title, const std::vector<SvgPlot>& plots);
+std::string svg_drawing(double width, double height, const std::string& title,
+                        const std::vector<SvgPlot>& plots);
 
 /// Viridis from dark to light, in `count` steps: told apart by everybody, and in grey.
 std::vector<std::string> viridis(int count);

@@ -72,7 +72,8 @@ std::size_t find_end(const Bytes& bytes, const std::string& where) {
   refuse(where, "is no ZIP archive");
 }
 
-std::string unpack(std::string_view packed, std::uint32_t method, std::size_t size, const std::string& where) {
+std::string unpack(std::string_view packed, std::uint32_t method, std::size_t size,
+                   const std::string& where) {
   if (method == 0) {
     if (packed.size() != size) refuse(where, "is a damaged ZIP archive");
     return std::string(packed);
@@ -82,8 +83,8 @@ std::string unpack(std::string_view packed, std::uint32_t method, std::size_t si
   const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> unpacker(
       libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
   std::string content(size, '\0');
-  const libdeflate_result result =
-      libdeflate_deflate_decompress(unpacker.get(), packed.data(), packed.size(), content.data(), size, nullptr);
+  const libdeflate_result result = libdeflate_deflate_decompress(unpacker.get(), packed.data(), packed.size(),
+                                                                 content.data(), size, nullptr);
   if (result != LIBDEFLATE_SUCCESS) refuse(where, "is a damaged ZIP archive");
   return content;
 }
@@ -118,7 +119,8 @@ std::string make_zip(const std::vector<std::pair<std::string, std::string>>& fil
   return archive;
 }
 
-std::map<std::string, std::string> read_zip(std::string_view text, const std::string& where, std::size_t max_bytes) {
+std::map<std::string, std::string> read_zip(std::string_view text, const std::string& where,
+                                            std::size_t max_bytes) {
   const Bytes bytes(text);
   const std::size_t end = find_end(bytes, where);
   std::size_t at = *bytes.number(end + 16, 4), total = 0;
@@ -132,7 +134,8 @@ std::map<std::string, std::string> read_zip(std::string_view text, const std::st
     const std::size_t packed_size = *bytes.number(at + 20, 4), size = *bytes.number(at + 24, 4);
     total += size;
     if (total > max_bytes) refuse(where, "is too large");
-    const std::size_t data = *local + kLocalBytes + bytes.number(*local + 26, 2).value_or(0) + bytes.number(*local + 28, 2).value_or(0);
+    const std::size_t data = *local + kLocalBytes + bytes.number(*local + 26, 2).value_or(0) +
+                             bytes.number(*local + 28, 2).value_or(0);
     const auto packed = bytes.part(data, packed_size);
     if (!packed) refuse(where, "is a damaged ZIP archive");
     std::string content = unpack(*packed, *bytes.number(at + 10, 2), size, where);
@@ -140,7 +143,8 @@ std::map<std::string, std::string> read_zip(std::string_view text, const std::st
       refuse(where, "is a damaged ZIP archive");
     }
     files[std::string(*name)] = std::move(content);
-    at += kCentralBytes + name->size() + bytes.number(at + 30, 2).value_or(0) + bytes.number(at + 32, 2).value_or(0);
+    at += kCentralBytes + name->size() + bytes.number(at + 30, 2).value_or(0) +
+          bytes.number(at + 32, 2).value_or(0);
   }
   return files;
 }

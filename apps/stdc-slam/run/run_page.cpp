@@ -43,8 +43,8 @@ std::vector<std::string> commands_of(const RunOptions& options, const SequenceIn
   const std::string program = words.empty() ? "stdc-slam" : words.front();
   std::vector<std::string> commands{shell_command(words)};
   if (input.truth() && std::filesystem::is_regular_file(input.truth_path())) {
-    commands.push_back(shell_command({program, "evaluate", input.truth_path().string(),
-                                      (options.output / "trajectory.txt").string()}));
+    commands.push_back(shell_command(
+        {program, "evaluate", input.truth_path().string(), (options.output / "trajectory.txt").string()}));
   }
   return commands;
 }
@@ -53,14 +53,20 @@ std::vector<std::string> commands_of(const RunOptions& options, const SequenceIn
 
 std::string run_page(const RunOptions& options, const SequenceInput& input, const RunResults& results,
                      std::vector<Eigen::Vector3d> landmarks, const SampleFrames& samples) {
-  RunReport report{results.summary, results.record, results.settings, {}, &samples,
-                   facts_of(options, input, results), !options.load_map};
-  report.paths = {results.trajectories.frames, results.trajectories.keyframes, std::move(landmarks),
+  RunReport report{
+      results.summary,  results.record, results.settings, {}, &samples, facts_of(options, input, results),
+      !options.load_map};
+  report.paths = {results.trajectories.frames,
+                  results.trajectories.keyframes,
+                  std::move(landmarks),
                   apply_convention(input.truth().value_or(Trajectory()), results.summary.score.convention),
-                  std::nullopt, {}, input.camera.rotation};
+                  std::nullopt,
+                  {},
+                  input.camera.rotation};
   nlohmann::ordered_json group = {{"title", input.name}, {"runs", {run_json(std::move(report))}}};
   return report_page(report_of(input.name, fmt::format("a run of {} frames", results.record.counts().total()),
-                               nlohmann::ordered_json::array({std::move(group)}), commands_of(options, input)));
+                               nlohmann::ordered_json::array({std::move(group)}),
+                               commands_of(options, input)));
 }
 
 }  // namespace stdc::app

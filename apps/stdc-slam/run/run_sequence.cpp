@@ -158,8 +158,9 @@ bool run_sequence(const RunOptions& options) {
   outputs.folder.write("frames.csv", record.frames_csv());
   outputs.folder.write("summary.json", summary_json(summary, record, settings));
   if (outputs.samples) {
-    outputs.folder.write("report.html", run_page(options, input, {summary, record, settings, trajectories},
-                                                 slam.landmark_positions(trajectories.map), *outputs.samples));
+    outputs.folder.write("report.html",
+                         run_page(options, input, {summary, record, settings, trajectories},
+                                  slam.landmark_positions(trajectories.map), *outputs.samples));
   }
   const bool found = summary.poses > 0;
   const bool saves_map = options.save_map && slam.keyframes() > 0;

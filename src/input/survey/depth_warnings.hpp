@@ -13,8 +13,8 @@ struct DepthLook {
   double saturated_share = 0;  ///< of the pixels that are 65535
 };
 
-/// What is likely to be wrong with the depth images, a line each: no depth, little of it, or in another unit than
-/// the camera says.
+/// What is likely to be wrong with the depth images, a line each: no depth, little of it, or in another unit
+/// than the camera says.
 /// @param units_per_metre  of the camera; nothing: not known, or the images are in metres
 std::vector<std::string> depth_warnings(const DepthLook& look, std::optional<double> units_per_metre);
 
