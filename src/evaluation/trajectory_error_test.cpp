@@ -45,6 +45,25 @@ TEST(ScoreTrajectory, IsZeroForTheSamePathElsewhere) {
   EXPECT_LT((scores.truth_from_estimate * some_pose()).log().norm(), 1e-9);
 }
 
+TEST(PoseErrors, AreThoseOfTheAte) {
+  const Trajectory truth = smooth_path(90, 90);
+  Trajectory estimate = moved(some_pose(), smooth_path(30, 30));
+  estimate[7].world_from_cam.translation.x() += 0.01;
+  estimate.push_back({5000, Pose()});  // of another time
+  const TrajectoryScores scores = score_trajectory(truth, estimate);
+  const std::vector<PoseError> errors = pose_errors(truth, estimate, scores.truth_from_estimate);
+  ASSERT_EQ(static_cast<int>(errors.size()), scores.pairs);
+  double squares = 0, largest = 0;
+  for (const PoseError& error : errors) {
+    squares += error.distance * error.distance;
+    largest = std::max(largest, error.distance);
+  }
+  EXPECT_NEAR(std::sqrt(squares / scores.pairs), scores.ate.rmse, 1e-12);
+  EXPECT_EQ(largest, scores.ate.maximum);
+  EXPECT_EQ(errors[7].timestamp, estimate[7].timestamp);
+  EXPECT_EQ(errors[7].distance, largest);
+}
+
 TEST(ScoreTrajectory, KnownErrorsGiveKnownScores) {
   // A straight true path; the estimate turns by 0.01 rad a frame where the truth does not.
   Trajectory truth, estimate;

@@ -39,7 +39,7 @@ std::string name_of(const fs::path& given) {
   return (is_ours ? path.parent_path() : path).stem().string();
 }
 
-NamedReport read_report(const std::string& given) {
+nlohmann::ordered_json read_report(const std::string& given) {
   std::error_code failed;
   const fs::path path = fs::is_directory(given, failed) ? fs::path(given) / "report.html" : fs::path(given);
   constexpr std::size_t kMaxBytes = 64 << 20U;
@@ -47,15 +47,28 @@ NamedReport read_report(const std::string& given) {
       read_file(path, "run it again without --no-report, or give a folder that run wrote", kMaxBytes);
   if (page.starts_with("PK")) {
     nlohmann::ordered_json group = {{"title", name_of(given)}, {"runs", {evo_run(page, path.string())}}};
-    return {name_of(given), {{"groups", nlohmann::ordered_json::array({std::move(group)})}}};
+    return {{"groups", nlohmann::ordered_json::array({std::move(group)})}};
   }
-  return {name_of(given), report_document(page, path.string())};
+  return report_document(page, path.string());
+}
+
+nlohmann::ordered_json merged(const std::vector<std::string>& names,
+                              std::vector<nlohmann::ordered_json> documents) {
+  try {
+    return merge_reports(names, std::move(documents));
+  } catch (const nlohmann::ordered_json::exception&) {
+    throw Error("report", "one of the pages holds what this program does not write", "write them again");
+  }
 }
 
 void compare(const Options& options) {
-  std::vector<NamedReport> reports;
-  for (const std::string& given : options.runs) reports.push_back(read_report(given));
-  nlohmann::ordered_json groups = merge_reports(std::move(reports));
+  std::vector<std::string> names;
+  std::vector<nlohmann::ordered_json> documents;
+  for (const std::string& given : options.runs) {
+    names.push_back(name_of(given));
+    documents.push_back(read_report(given));
+  }
+  nlohmann::ordered_json groups = merged(names, std::move(documents));
   const std::size_t count = groups[0]["runs"].size();
   if (count > kMaxRuns) {
     throw Error("report", fmt::format("{} runs are too many for a page", count),

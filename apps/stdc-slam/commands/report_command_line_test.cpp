@@ -128,6 +128,11 @@ TEST_F(ReportCommandLine, RefusesWhatIsNoRun) {
   folder_.write("damaged.html",
                 std::string("<script type=\"application/json\" id=\"report-data\">{\"groups\":</script>"));
   expect_refusal("report damaged.html", "damaged");
+  folder_.write(
+      "odd.html",
+      std::string("<script type=\"application/json\" "
+                  "id=\"report-data\">{\"format\":1,\"groups\":[{\"runs\":[{\"name\":[]}]}]}</script>"));
+  expect_refusal("report odd.html odd.html", "holds what this program does not write");
   folder_.write("odd.zip", std::string("PK\x03\x04 and nothing more"));
   expect_refusal("report odd.zip", "is no ZIP archive");
   EXPECT_FALSE(fs::exists(folder_ / "comparison.html"));

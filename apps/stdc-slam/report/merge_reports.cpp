@@ -96,26 +96,27 @@ void halve_points(Json& run) {
 
 }  // namespace
 
-Json merge_reports(std::vector<NamedReport> reports) {
+Json merge_reports(const std::vector<std::string>& names, std::vector<Json> documents) {
   std::map<std::string, int> uses;
   Json runs = Json::array();
-  for (NamedReport& report : reports) {
-    for_each_run(report.document, [&](Json& run) {
-      const bool alone =
-          report.document["groups"].size() == 1 && report.document["groups"][0]["runs"].size() == 1;
-      std::string label = alone ? report.name : report.name + ": " + run.value("label", "");
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    Json& document = documents[i];
+    for_each_run(document, [&](Json& run) {
+      const bool alone = document["groups"].size() == 1 && document["groups"][0]["runs"].size() == 1;
+      std::string label = alone ? names.at(i) : names.at(i) + ": " + run.value("label", "");
       if (const int number = ++uses[label]; number > 1) label += fmt::format(" ({})", number);
       run["label"] = std::move(label);
-      const Json commands = report.document.value("commands", Json::array());
+      const Json commands = document.value("commands", Json::array());
       if (alone && commands.is_array() && !commands.empty()) run["command"] = commands.front();
       run.erase("landmarks");
       runs.push_back(std::move(run));
     });
   }
   if (runs.size() > 1) keep_common_images(runs);
-  std::set<std::string> names;
-  for (const Json& run : runs) names.insert(run.value("name", ""));
-  const std::string title = names.size() == 1 ? *names.begin() : fmt::format("{} sequences", names.size());
+  std::set<std::string> sequences;
+  for (const Json& run : runs) sequences.insert(run.value("name", ""));
+  const std::string title =
+      sequences.size() == 1 ? *sequences.begin() : fmt::format("{} sequences", sequences.size());
   return Json::array({{{"title", title}, {"runs", std::move(runs)}}});
 }
 

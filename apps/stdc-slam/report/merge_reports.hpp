@@ -6,15 +6,11 @@
 
 namespace stdc::app {
 
-/// The document of a page, and what its runs are to be called.
-struct NamedReport {
-  std::string name;
-  nlohmann::ordered_json document;
-};
-
-/// One group with the runs of all of them, in order. Of the sample frames those stay that several runs have;
-/// names that are not unique get a number.
-nlohmann::ordered_json merge_reports(std::vector<NamedReport> reports);
+/// One group with the runs of the documents of several pages, in order. Of the sample frames those stay that
+/// several runs have; names that are not unique get a number.
+/// @param names  what the runs of each document are to be called
+nlohmann::ordered_json merge_reports(const std::vector<std::string>& names,
+                                     std::vector<nlohmann::ordered_json> documents);
 
 /// The page of a document, at most `max_bytes` long: runs of a page with many of them get fewer pictures and
 /// points. What cannot be left out may be longer.
