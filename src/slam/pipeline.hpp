@@ -36,8 +36,6 @@ class Pipeline {
   /// Reads a map, before the first frame.
   void load_map(const std::filesystem::path& path);
 
-  /// What moves in the last frame, waiting for it; empty: nothing is known.
-  cv::Mat dynamic_mask();
   std::vector<FramePose> trajectory() const;
   const Camera& camera() const { return sensor_.camera; }
   /// As the tracking thread knows it, at any time.
@@ -79,6 +77,7 @@ class Pipeline {
   void note_gone();
   void observe_motion(const TrackedFrame& frame, const TrackingResult& result);
   void mark_dynamic(TrackedFrame& frame);
+  cv::Mat dynamic_mask();
   void follow_atlas();
   TrackingStatus locate(TrackedFrame& frame, StageTimes& times);
   TrackingStatus track_from_last(TrackedFrame& frame, StageTimes& times);

@@ -96,6 +96,7 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
   motion_->observe(std::move(observed));
 }
 
+/// All that is known of what moves in the present frame, once the tracker is done with it.
 cv::Mat Pipeline::dynamic_mask() {
   if (!motion_) return segmented_;
   const cv::Mat& moving = motion_->moving_now();

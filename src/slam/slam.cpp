@@ -42,8 +42,6 @@ void Slam::save_map(const std::filesystem::path& path) {
   stdc::save_map(path, pipeline_->camera(), pipeline_->atlas(), pipeline_->dense_views());
 }
 
-cv::Mat Slam::dynamic_mask() const { return pipeline_->dynamic_mask(); }
-
 std::vector<FramePose> Slam::trajectory() const { return pipeline_->trajectory(); }
 
 std::vector<FramePose> Slam::keyframe_trajectory() const {

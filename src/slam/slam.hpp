@@ -61,9 +61,6 @@ class Slam {
   // The state as the tracking thread knows it: what was last collected from the workers, and the keyframes
   // made since. Cheap, at any time, and without any effect on the results. After finish(): the final state.
 
-  /// What moves in the frame that was tracked last (CV_8UC1, 255 = dynamic), or empty; waits for it. For some
-  /// of the frames; for all of them there is `system.report_masks`.
-  cv::Mat dynamic_mask() const;
   /// Poses of all tracked frames in order of time, each relative to its reference keyframe as now optimised.
   /// With `system.localisation_only` there are none: those of the results are final, and a session may be
   /// long.

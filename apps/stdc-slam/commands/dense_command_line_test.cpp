@@ -32,6 +32,10 @@ TEST_F(DenseCommandLine, ARunWritesWhatIsAskedForAndTheSameBytesAgain) {
   EXPECT_TRUE(content(folder_ / "a.glb").starts_with("glTF"));
   EXPECT_TRUE(content(folder_ / "a.ply").starts_with("ply\n"));
   EXPECT_TRUE(content(folder_ / "a.pcd").starts_with("# .PCD v0.7"));
+  const auto summary = nlohmann::json::parse(content(folder_ / "first/summary.json"));
+  EXPECT_EQ(summary["dense"]["files"], "a.glb, a.ply, a.pcd");
+  EXPECT_GT(summary["dense"]["triangles"], 100);
+  EXPECT_EQ(summary["dense"]["voxel_m"], 0.04);
   const std::string trajectory = content(folder_ / "first/trajectory.txt");
   ASSERT_EQ(call(std::string(kRun) + "--dense b.ply --quiet").code, 0);
   EXPECT_EQ(content(folder_ / "a.ply"), content(folder_ / "b.ply"));
@@ -91,6 +95,18 @@ TEST_F(DenseCommandLine, ADiskThatIsFullLeavesWhatWasThere) {
   EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "small.ply: cannot be written")) << outcome.err;
   EXPECT_EQ(content(folder_ / "small.ply"), "old");
+  expect_no_partial_files();
+}
+
+TEST_F(DenseCommandLine, ADiskThatIsFullAtTheEndOfARunLeavesNothingHalf) {
+  make_sequence();
+  folder_.write("a.ply", std::string("old"));
+  const Outcome outcome = call("--version > /dev/null; ulimit -f 8; trap '' XFSZ; " STDC_PROGRAM " " +
+                               std::string(kRun) + "--dense a.ply --quiet");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(contains(outcome.err, "a.ply: cannot be written")) << outcome.err;
+  EXPECT_EQ(content(folder_ / "a.ply"), "old");
+  EXPECT_FALSE(fs::exists(folder_ / "first"));
   expect_no_partial_files();
 }
 

@@ -44,6 +44,16 @@ Json mask_scores_to_json(const MaskRunScore& masks) {
           {"boundary_f", to_json(scores.boundary_f)}};
 }
 
+Json dense_to_json(const DenseSummary& dense) {
+  return {{"files", dense.files},
+          {"views", dense.views},
+          {"vertices", dense.vertices},
+          {"triangles", dense.triangles},
+          {"voxel_m", dense.voxel},
+          {"cpu_ms_per_frame", dense.cpu_ms_per_frame},
+          {"cpu_seconds", dense.cpu_seconds}};
+}
+
 double coverage(const RunSummary& summary, const RunRecord& record) {
   return static_cast<double>(summary.poses) / std::max(1, record.counts().total());
 }
@@ -104,6 +114,7 @@ Json summary_to_json(const RunSummary& summary, const RunRecord& record, const S
                                 {"beyond_95_percent", summary.consistency->beyond}};
   }
   if (summary.masks) json["mask_scores"] = mask_scores_to_json(*summary.masks);
+  if (summary.dense) json["dense"] = dense_to_json(*summary.dense);
   if (!summary.score.not_scored.empty()) json["not_scored"] = summary.score.not_scored;
   json["camera"] = cameras_to_json(summary.cameras);
   json["settings"] = settings_to_json(settings);

@@ -15,6 +15,15 @@
 
 namespace stdc::app {
 
+/// The dense map that a run has written.
+struct DenseSummary {
+  std::string files;
+  std::size_t views = 0, vertices = 0, triangles = 0;
+  double voxel = 0;             ///< [m]
+  double cpu_ms_per_frame = 0;  ///< beside tracking
+  double cpu_seconds = 0;       ///< at the end, of all threads
+};
+
 /// Everything that a finished run tells about itself.
 struct RunSummary {
   std::string sequence;
@@ -29,6 +38,7 @@ struct RunSummary {
   RunScore score;
   std::optional<PoseConsistency> consistency;  ///< of the poses when they were tracked, and their covariances
   std::optional<MaskRunScore> masks;           ///< against --true-masks
+  std::optional<DenseSummary> dense;           ///< of --dense
 };
 
 /// What summary.json holds.

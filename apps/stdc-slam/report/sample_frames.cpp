@@ -34,17 +34,38 @@ std::string describe(const TrackingResult& result) {
   return result.is_keyframe ? text + ", keyframe" : text;
 }
 
-/// The picture with its mask; worse where it would be large.
-std::vector<std::uint8_t> picture(const cv::Mat& colour, const cv::Mat& mask) {
+/// Keypoints that agree with the pose, and those that do not: told apart also by those who do not see red and
+/// green.
+void draw_keypoints(cv::Mat& picture, const FrameView& view, double factor) {
+  const cv::Scalar inlier(255, 220, 60), outlier(40, 110, 255);
+  constexpr int kShift = 4;  // fraction bits of OpenCV's drawing coordinates
+  for (std::size_t i = 0; i < view.keypoints.size(); ++i) {
+    if (view.states[i] == KeypointState::unmatched) continue;
+    const auto fixed = [&](float v) { return cvRound(((v + 0.5F) * factor - 0.5F) * (1 << kShift)); };
+    const cv::Point at(fixed(view.keypoints[i].x), fixed(view.keypoints[i].y));
+    cv::circle(picture, at, 3 << (kShift - 1), view.states[i] == KeypointState::inlier ? inlier : outlier,
+               cv::FILLED, cv::LINE_AA, kShift);
+  }
+}
+
+/// What kept keypoints out, whatever the cause; empty: nothing.
+cv::Mat mask_of(const FrameView& view) {
+  if (view.segmented.empty() || view.moving.empty())
+    return view.segmented.empty() ? view.moving : view.segmented;
+  return view.segmented | view.moving;
+}
+
+/// The picture with its mask and keypoints; worse where it would be large.
+std::vector<std::uint8_t> picture(const cv::Mat& colour, const FrameView& view) {
   const double factor = std::min(1.0, static_cast<double>(kWidth) / colour.cols);
   const cv::Size size(std::max(1, static_cast<int>(std::lround(colour.cols * factor))),
                       std::max(1, static_cast<int>(std::lround(colour.rows * factor))));
-  cv::Mat small, small_mask;
+  cv::Mat small, small_mask(size, CV_8UC1, cv::Scalar(0));
   cv::resize(colour, small, size, 0, 0, cv::INTER_AREA);
-  if (!mask.empty()) {
+  if (const cv::Mat mask = mask_of(view); !mask.empty())
     cv::resize(mask, small_mask, size, 0, 0, cv::INTER_NEAREST);
-    small = draw_overlay(small, small_mask);
-  }
+  small = draw_overlay(small, small_mask);
+  draw_keypoints(small, view, factor);
   std::vector<std::uint8_t> jpeg = encode_jpeg(small, kQuality);
   return jpeg.size() > kMaxBytes ? encode_jpeg(small, kQuality / 2) : jpeg;
 }
@@ -85,7 +106,7 @@ void SampleFrames::on_frame(const ObservedFrame& frame) {
 
 SampleFrame SampleFrames::sample(const ObservedFrame& frame) {
   return {frame.number, frame.result.timestamp, describe(frame.result),
-          picture(frame.image->colour, slam_.dynamic_mask())};
+          picture(frame.image->colour, slam_.last_frame())};
 }
 
 void SampleFrames::look_at_depth(const cv::Mat& depth) {

@@ -18,11 +18,11 @@ struct SampleFrame {
   std::vector<std::uint8_t> jpeg;
 };
 
-/// Keeps some frames of a run with their masks: at even distances, where tracking fails, and where most of
+/// Keeps some frames of a run with their masks and keypoints: at even distances, where tracking fails, and where most of
 /// the view moves; and looks at their depth.
 class SampleFrames : public FrameObserver {
  public:
-  /// @param slam      that tracks the frames; asked for the masks of those that are kept
+  /// @param slam      that tracks the frames; asked what it found in those that are kept
   /// @param expected  how many frames there will be, if that is about known
   SampleFrames(Slam& slam, std::optional<int> expected);
 

@@ -153,6 +153,12 @@ bool run_sequence(const RunOptions& options) {
   const std::optional<DenseReport> dense =
       write_dense(slam, input, settings, trajectories.map, options.quiet, outputs.dense);
   RunSummary summary = summarise(input, record, slam, trajectories);
+  if (dense) {
+    summary.dense = {outputs.dense->names(), dense->views,
+                     dense->vertices,        dense->triangles,
+                     settings.dense.voxel,   dense_usage.cpu_ms / std::max(1, dense_usage.frames),
+                     dense->cpu_seconds};
+  }
   if (outputs.mask_scoring) summary.masks = outputs.mask_scoring->score();
   write_trajectories(trajectories, outputs.folder);
   outputs.folder.write("frames.csv", record.frames_csv());

@@ -33,7 +33,7 @@ function tiles(run) {
   if (isNumber(s.peak_memory_mb)) made.push(tile("memory, peak", withUnit(s.peak_memory_mb, "MB"), `CPU ${number(s.cpu_seconds)} s in all`));
   const masks = s.mask_scores;
   if (masks) made.push(tile("masks: IoU", percent(masks.iou), `precision ${percent(masks.precision)}, recall ${percent(masks.recall)}`));
-  if (s.dense) made.push(tile("dense map", [number(s.dense.triangles), element("small", {}, " triangles")], `${s.dense.views} views, ${number(s.dense.cpu_ms_per_frame)} ms a frame`));
+  if (s.dense) made.push(tile("dense map", [number(s.dense.triangles), element("small", {}, " triangles")], `of ${s.dense.views} views at ${number(100 * s.dense.voxel_m)} cm; CPU ${number(s.dense.cpu_ms_per_frame)} ms a frame, then ${number(s.dense.cpu_seconds)} s`));
   return element("div", { class: "tiles" }, made);
 }
 
@@ -95,7 +95,7 @@ function shot(image) {
 function shots(run) {
   if (!run.images || !run.images.length) return null;
   return section("frames", "Sample frames",
-    note("What moves is tinted: keypoints there are not used."), element("div", { class: "shots" }, run.images.map((image) => shot(image))));
+    note("What moves, or may, is tinted: keypoints there are not used. Blue dots agree with the pose, orange ones do not."), element("div", { class: "shots" }, run.images.map((image) => shot(image))));
 }
 
 function command(text) {
@@ -124,6 +124,7 @@ function settingsTables(settings) {
 
 function whatRan(run) {
   const s = run.summary, rows = (run.facts || []).map(([name, value]) => [name, value]);
+  if (s.dense) rows.push(["dense map", `${s.dense.files}: ${s.dense.vertices} vertices, ${s.dense.triangles} triangles`]);
   const camera = s.camera;
   if (camera) {
     rows.push(["camera", `${camera.width} × ${camera.height}, fx ${number(camera.fx)}, fy ${number(camera.fy)}, ${camera.lens || "pinhole"}; ` +
