@@ -69,6 +69,8 @@ install(TARGETS stdc_slam_package EXPORT stdc_slam
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT dev
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
 stdc_with_included(headers ${STDC_PUBLIC_HEADERS})
+list(JOIN headers "\n" lines)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/public-headers.txt "${lines}\n")  # for scripts/api_docs
 foreach(header IN LISTS headers)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stdc_slam/${folder}
@@ -83,6 +85,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam-config.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam-config-version.cmake cmake/opencv.cmake
   DESTINATION ${STDC_CMAKE_FOLDER} COMPONENT dev)
 list(GET OpenCV_INCLUDE_DIRS 0 STDC_OPENCV_INCLUDE)
+file(RELATIVE_PATH STDC_PREFIX_FROM_PKGCONFIG ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/stdc_slam.pc.in stdc_slam.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
