@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kKittiNumbers = 12;
 constexpr double kKittiInterval = 0.1;  // [s]
-constexpr const char* kHint =
+constexpr const char* kFormatHint =
     "write each line as: timestamp tx ty tz qx qy qz qw, or the 12 numbers of KITTI";
 
 TrajectoryFormat format_of(std::string_view text) {
@@ -29,13 +29,13 @@ TrajectoryFormat format_of(std::string_view text) {
 StampedPose parse_kitti_row(std::string_view line, double time, const std::string& where) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.size() != kKittiNumbers) {
-    throw Error(where, fmt::format("has {} values instead of {}", words.size(), kKittiNumbers), kHint);
+    throw Error(where, fmt::format("has {} values instead of {}", words.size(), kKittiNumbers), kFormatHint);
   }
   Eigen::Matrix<double, 3, 4> matrix;
   for (std::size_t i = 0; i < kKittiNumbers; ++i) {
     const std::optional<double> number = parse_number(words[i]);
     if (!number || !std::isfinite(*number))
-      throw Error(where, shown(words[i]) + " is not a finite number", kHint);
+      throw Error(where, shown(words[i]) + " is not a finite number", kFormatHint);
     matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = *number;
   }
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();
@@ -43,7 +43,7 @@ StampedPose parse_kitti_row(std::string_view line, double time, const std::strin
   const bool is_rotation =
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < kTolerance &&
       rotation.determinant() > 0;
-  if (!is_rotation) throw Error(where, "its matrix is no rotation", kHint);
+  if (!is_rotation) throw Error(where, "its matrix is no rotation", kFormatHint);
   return {time, Pose(Eigen::Quaterniond(rotation), matrix.col(3))};
 }
 
