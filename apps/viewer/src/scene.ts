@@ -10,6 +10,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { okabe, Theme } from "./colours";
+import { coarseTriangles, drawsInSoftware, sparse, thinned } from "./detail";
 import { Mesh, Pose, RunMap, RunState } from "./protocol";
 
 export type Layer = "path" | "truth" | "keyframes" | "covisibility" | "loops" | "landmarks" | "mesh";
@@ -45,8 +46,13 @@ export class Scene3D {
   private state: RunState | null = null;
   private pose: Pose | null = null;
   private followed: Vector3 | null = null;
-  private moving = 0;        // until when the view is being moved [ms]
-  private frames: number[] = [];
+  private readonly software = drawsInSoftware();
+  private level = this.software ? 2 : 0;  // of detail while the picture changes: 0 is all of it
+  private drawn = 0;         // level of what is seen now
+  private drawnAt = 0;       // [ms]
+  private intervals: number[] = [];
+  private full: { mesh: BufferAttribute | null; points: BufferAttribute | null } = { mesh: null, points: null };
+  private coarse: { mesh: BufferAttribute | null; points: BufferAttribute | null } = { mesh: null, points: null };
 
   private readonly pathMaterial = new LineMaterial({ linewidth: 3 });
   private readonly truthMaterial = new LineMaterial({ linewidth: 2, dashed: true, dashSize: 0.06, gapSize: 0.05 });
@@ -68,7 +74,7 @@ export class Scene3D {
 
   // Throws if the browser has no WebGL.
   constructor(private readonly canvas: HTMLCanvasElement, private readonly onPick: (frame: number | null) => void) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "high-performance" });
     this.perspective.up.copy(UP);
     this.perspective.position.set(0.6, -1.6, -3);
     this.orthographic.up.set(0, 0, 1);
@@ -81,7 +87,7 @@ export class Scene3D {
     this.plan.touches.ONE = 1;
     for (const controls of [this.orbit, this.plan]) {
       controls.enableDamping = false;
-      controls.addEventListener("change", () => this.moved());
+      controls.addEventListener("change", () => { this.dirty = true; });
       controls.addEventListener("start", () => { this.touched = true; });
     }
     this.orbit.target.set(0, 0, 1.5);
@@ -186,7 +192,8 @@ export class Scene3D {
     line.geometry.dispose();
     line.geometry = new LineGeometry();
     if (points.length < 6) return;
-    line.geometry.setPositions(points);
+    const maxPoints = this.software ? 1500 : 6000;
+    line.geometry.setPositions(thinned(points, maxPoints));
     line.computeLineDistances();
   }
 
@@ -194,6 +201,9 @@ export class Scene3D {
     this.map = map;
     const positions = (i: number) => map.keyframePoses.subarray(7 * i, 7 * i + 3);
     this.replace(this.landmarks, map.landmarks);
+    const maxPoints = 20000;
+    this.coarse.points = map.landmarks.length > 3 * maxPoints
+      ? new BufferAttribute(sparse(map.landmarks.length / 3, maxPoints), 1) : null;
     this.replace(this.keyframes, this.frusta(map));
     const edges = new Float32Array(3 * map.covisible.length);
     map.covisible.forEach((keyframe, i) => edges.set(positions(keyframe), 3 * i));
@@ -234,7 +244,10 @@ export class Scene3D {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(mesh.positions, 3, true));
     geometry.setAttribute("color", new BufferAttribute(mesh.colours, 3, true));
-    geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
+    this.full.mesh = new BufferAttribute(mesh.triangles, 1);
+    const maxTriangles = 60000;
+    this.coarse.mesh = mesh.triangles.length > 3 * maxTriangles ? new BufferAttribute(coarseTriangles(mesh), 1) : null;
+    geometry.setIndex(this.full.mesh);
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
     this.mesh.position.fromArray(mesh.corner);
@@ -387,46 +400,47 @@ export class Scene3D {
     this.dirty = true;
   }
 
-  private moved() {
-    this.moving = performance.now() + 250;
-    this.dirty = true;
-  }
-
-  // Where drawing is slow, the picture is coarser while it moves.
-  private coarse = 1;
+  // Fewer pixels at higher levels.
   private pixelRatio(): number {
     const full = Math.min(2, window.devicePixelRatio || 1);
-    return performance.now() < this.moving ? Math.max(0.5, full * this.coarse) : full;
+    return full * ([1, 1, 0.7, 0.5][this.drawn] ?? 0.5);
   }
 
-  private adapt(milliseconds: number) {
-    this.frames.push(milliseconds);
-    if (this.frames.length > 8) this.frames.shift();
-    if (performance.now() >= this.moving || this.frames.length < 4) return;
-    const mean = this.frames.reduce((a, b) => a + b, 0) / this.frames.length;
-    const before = this.coarse;
-    if (mean > 30 && this.coarse > 0.5) this.coarse = Math.max(0.5, this.coarse * 0.8);
-    if (mean < 12 && this.coarse < 1) this.coarse = Math.min(1, this.coarse * 1.1);
-    if (this.coarse !== before) this.frames = [];
+  private setLevel(level: number) {
+    this.drawn = level;
+    this.mesh.geometry.setIndex((level > 0 ? this.coarse.mesh : null) ?? this.full.mesh);
+    this.landmarks.geometry.setIndex(level > 0 ? this.coarse.points : null);
+    this.covisibility.visible = level < 3 && this.shown.covisibility && this.covisibility.geometry.attributes.position !== undefined;
+    if (this.pixelRatio() !== this.renderer.getPixelRatio()) {
+      this.renderer.setPixelRatio(this.pixelRatio());
+      this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
+    }
+  }
+
+  // Where pictures come too slowly there is less in them while they change, down to the coarsest level.
+  private adapt(interval: number) {
+    this.intervals.push(interval);
+    if (this.intervals.length < 6) return;
+    const mean = this.intervals.reduce((a, b) => a + b, 0) / this.intervals.length;
+    this.intervals = [];
+    if (mean > 36) this.level = Math.min(3, this.level + 1);
+    if (mean < 20 && !this.software) this.level = Math.max(0, this.level - 1);
   }
 
   private render() {
-    const ratio = this.pixelRatio();
-    if (ratio !== this.renderer.getPixelRatio()) {
-      this.renderer.setPixelRatio(ratio);
-      this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
-      this.dirty = true;
-    }
-    if (!this.dirty) return;
+    const now = performance.now(), settled = now - this.drawnAt > 350;
+    if (!this.dirty && !(settled && this.drawn > 0)) return;
+    if (this.dirty && !settled) this.adapt(now - this.drawnAt);
+    this.setLevel(this.dirty ? this.level : 0);
     this.dirty = false;
-    const begin = performance.now();
+    this.drawnAt = now;
     this.renderer.render(this.scene, this.activeCamera);
-    this.adapt(performance.now() - begin);
   }
 
-  // Draws some pictures as fast as it goes while the view turns: milliseconds of each, for measuring.
-  measure(count: number): number[] {
+  // Draws some pictures as fast as it goes while the view turns, at a level of detail: milliseconds of each.
+  measure(count: number, level: number): number[] {
     const times: number[] = [], gl = this.renderer.getContext(), pixel = new Uint8Array(4);
+    this.setLevel(level);
     for (let i = 0; i < count; ++i) {
       const begin = performance.now();
       this.perspective.position.sub(this.orbit.target).applyAxisAngle(UP, 0.02).add(this.orbit.target);
