@@ -9,10 +9,10 @@ export function drawsInSoftware(): boolean {
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
-// Triangles of a coarser mesh over the same vertices: all vertices of a cell become one of them (Rossignac and Borrel,
-// 'Multi-resolution 3D approximations for rendering complex scenes', 1993), and triangles within a cell go.
-export function coarseTriangles(mesh: Mesh): Uint32Array {
-  const bits = 7, shift = 16 - bits, none = 0xffffffff;
+// Triangles of a coarser mesh over the same vertices: all vertices of a cell, one of 2^bits along each side of the mesh's
+// box, become one of them (Rossignac and Borrel, 'Multi-resolution 3D approximations for rendering complex scenes', 1993).
+function clustered(mesh: Mesh, bits: number): Uint32Array {
+  const shift = 16 - bits, none = 0xffffffff;
   const first = new Uint32Array(1 << (3 * bits)).fill(none);
   const vertices = mesh.positions.length / 3, stands = new Uint32Array(vertices);
   for (let v = 0; v < vertices; ++v) {
@@ -31,6 +31,26 @@ export function coarseTriangles(mesh: Mesh): Uint32Array {
     coarse[count++] = c;
   }
   return coarse.slice(0, count);
+}
+
+// Without the vertices that no triangle uses.
+function compacted(mesh: Mesh, triangles: Uint32Array): Mesh {
+  const place = new Uint32Array(mesh.positions.length / 3), used: number[] = [];
+  for (const vertex of triangles) if (place[vertex] === 0) place[vertex] = used.push(vertex);
+  const positions = new Uint16Array(3 * used.length), colours = new Uint8Array(3 * used.length);
+  used.forEach((vertex, i) => {
+    positions.set(mesh.positions.subarray(3 * vertex, 3 * vertex + 3), 3 * i);
+    colours.set(mesh.colours.subarray(3 * vertex, 3 * vertex + 3), 3 * i);
+  });
+  return { ...mesh, positions, colours, triangles: triangles.map((vertex) => place[vertex]! - 1) };
+}
+
+// The finest of such meshes with `max` triangles at most, or nearly so.
+export function coarseMesh(mesh: Mesh, max: number): Mesh {
+  if (mesh.triangles.length <= 3 * max) return mesh;
+  let triangles = mesh.triangles;
+  for (let bits = 7; bits >= 4 && triangles.length > 3 * max; --bits) triangles = clustered(mesh, bits);
+  return compacted(mesh, triangles);
 }
 
 // Every so many-th point, at most `max` of them.

@@ -10,7 +10,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { okabe, Theme } from "./colours";
-import { coarseTriangles, drawsInSoftware, sparse, thinned } from "./detail";
+import { coarseMesh, drawsInSoftware, sparse, thinned } from "./detail";
 import { Mesh, Pose, RunMap, RunState } from "./protocol";
 
 export type Layer = "path" | "truth" | "keyframes" | "covisibility" | "loops" | "landmarks" | "mesh";
@@ -51,8 +51,10 @@ export class Scene3D {
   private drawn = 0;         // level of what is seen now
   private drawnAt = 0;       // [ms]
   private intervals: number[] = [];
-  private full: { mesh: BufferAttribute | null; points: BufferAttribute | null } = { mesh: null, points: null };
-  private coarse: { mesh: BufferAttribute | null; points: BufferAttribute | null } = { mesh: null, points: null };
+  // Mesh and landmarks to draw at each level; null: all of them.
+  private meshLevels: BufferGeometry[] = [];
+  private fewKeyframes: BufferAttribute | null = null;
+  private pointLevels: (BufferAttribute | null)[] = [null, null, null, null];
 
   private readonly pathMaterial = new LineMaterial({ linewidth: 3 });
   private readonly truthMaterial = new LineMaterial({ linewidth: 2, dashed: true, dashSize: 0.06, gapSize: 0.05 });
@@ -192,7 +194,7 @@ export class Scene3D {
     line.geometry.dispose();
     line.geometry = new LineGeometry();
     if (points.length < 6) return;
-    const maxPoints = this.software ? 1500 : 6000;
+    const maxPoints = this.software ? 500 : 6000;  // a line of some width is made of triangles
     line.geometry.setPositions(thinned(points, maxPoints));
     line.computeLineDistances();
   }
@@ -201,10 +203,13 @@ export class Scene3D {
     this.map = map;
     const positions = (i: number) => map.keyframePoses.subarray(7 * i, 7 * i + 3);
     this.replace(this.landmarks, map.landmarks);
-    const maxPoints = 20000;
-    this.coarse.points = map.landmarks.length > 3 * maxPoints
-      ? new BufferAttribute(sparse(map.landmarks.length / 3, maxPoints), 1) : null;
+    const few = (max: number) => new BufferAttribute(sparse(map.landmarks.length / 3, max), 1);
+    const many = few(20000);
+    this.pointLevels = [null, many, many, few(4000)];
     this.replace(this.keyframes, this.frusta(map));
+    const corners = 16, some = sparse(map.keyframeIds.length, 200);  // ends of lines of a keyframe
+    this.fewKeyframes = new BufferAttribute(Uint32Array.from({ length: corners * some.length },
+      (_, i) => corners * some[Math.floor(i / corners)]! + (i % corners)), 1);
     const edges = new Float32Array(3 * map.covisible.length);
     map.covisible.forEach((keyframe, i) => edges.set(positions(keyframe), 3 * i));
     this.replace(this.covisibility, edges);
@@ -241,15 +246,17 @@ export class Scene3D {
   }
 
   setMesh(mesh: Mesh) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(mesh.positions, 3, true));
-    geometry.setAttribute("color", new BufferAttribute(mesh.colours, 3, true));
-    this.full.mesh = new BufferAttribute(mesh.triangles, 1);
-    const maxTriangles = 60000;
-    this.coarse.mesh = mesh.triangles.length > 3 * maxTriangles ? new BufferAttribute(coarseTriangles(mesh), 1) : null;
-    geometry.setIndex(this.full.mesh);
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
+    const geometry = (of: Mesh) => {
+      const made = new BufferGeometry();
+      made.setAttribute("position", new BufferAttribute(of.positions, 3, true));
+      made.setAttribute("color", new BufferAttribute(of.colours, 3, true));
+      made.setIndex(new BufferAttribute(of.triangles, 1));
+      return made;
+    };
+    for (const old of new Set(this.meshLevels)) old.dispose();
+    const full = geometry(mesh), medium = geometry(coarseMesh(mesh, 60000)), coarse = geometry(coarseMesh(mesh, 15000));
+    this.meshLevels = [full, medium, medium, coarse];
+    this.mesh.geometry = full;
     this.mesh.position.fromArray(mesh.corner);
     this.mesh.scale.fromArray(mesh.size);
     this.updateVisible();
@@ -408,8 +415,9 @@ export class Scene3D {
 
   private setLevel(level: number) {
     this.drawn = level;
-    this.mesh.geometry.setIndex((level > 0 ? this.coarse.mesh : null) ?? this.full.mesh);
-    this.landmarks.geometry.setIndex(level > 0 ? this.coarse.points : null);
+    this.mesh.geometry = this.meshLevels[level] ?? this.mesh.geometry;
+    this.landmarks.geometry.setIndex(this.pointLevels[level] ?? null);
+    this.keyframes.geometry.setIndex(level < 3 ? null : this.fewKeyframes);
     this.covisibility.visible = level < 3 && this.shown.covisibility && this.covisibility.geometry.attributes.position !== undefined;
     if (this.pixelRatio() !== this.renderer.getPixelRatio()) {
       this.renderer.setPixelRatio(this.pixelRatio());
