@@ -9,6 +9,10 @@ struct RgbdImage {
   double timestamp = 0;  ///< [s]
   cv::Mat colour;        ///< 8-bit grey (CV_8UC1) or BGR (CV_8UC3)
   cv::Mat depth;  ///< CV_16UC1 in Camera::depth_units_per_metre, or CV_32FC1 in metres; <= 0 or NaN: missing
+  /// CV_8UC1, what a grey decoder would give in place of `colour` where that is something else than the
+  /// conversion of `colour` (JPEG and YUV store the brightness). The tracker then sees the same whether
+  /// colour is asked for or not.
+  cv::Mat grey = {};
 };
 
 }  // namespace stdc

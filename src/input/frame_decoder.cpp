@@ -25,6 +25,9 @@ RgbdImage FrameDecoder::decode(const SourceFrame& frame, ColourMode mode) const 
   RgbdImage image;
   image.timestamp = frame.timestamp;
   image.colour = colour(frame, mode);
+  if (image.colour.channels() == 3 && frame.images->stores_brightness()) {
+    image.grey = colour(frame, ColourMode::grey);
+  }
   image.depth = frame.images->depth(size_of(cameras_.depth ? cameras_.depth->camera : cameras_.colour));
   if (registration_) image.depth = registration_->apply(image.depth);
   return image;

@@ -33,6 +33,9 @@ class PackedImages {
   /// CV_8UC1 or CV_8UC3 (BGR). `size`: what the image must have; empty: whatever it has.
   /// Throws Error naming the image if it is missing, damaged, of another size or of an unknown kind.
   virtual cv::Mat colour(cv::Size size, ColourMode mode) const = 0;
+  /// Whether colour() in grey is something else than the conversion of colour() as stored: where the
+  /// brightness is stored apart from the colours, as JPEG and YUV do.
+  virtual bool stores_brightness() const { return false; }
   /// CV_16UC1 in Camera::depth_units_per_metre, 0 = missing, or CV_32FC1 in metres, <= 0 or NaN = missing; as
   /// recorded, not registered. Size and errors: as above.
   virtual cv::Mat depth(cv::Size size) const = 0;

@@ -1,5 +1,8 @@
 #include "input/image_file.hpp"
 
+#include <array>
+#include <fstream>
+
 #include "core/error.hpp"
 #include "core/image_size.hpp"
 #include "core/text_file.hpp"
@@ -42,6 +45,14 @@ std::string read_image_file(const ImageFile& file) {
   } catch (const Error& error) {
     throw Error(file.where, error.problem(), error.hint());
   }
+}
+
+bool is_jpeg_file(const ImageFile& file) {
+  constexpr std::size_t kMagic = 4;
+  std::array<char, kMagic> start{};
+  std::ifstream stream(file.path, std::ios::binary);
+  stream.read(start.data(), kMagic);
+  return stream && is_jpeg({reinterpret_cast<const std::uint8_t*>(start.data()), kMagic});
 }
 
 cv::Mat read_colour_file(const ImageFile& file, cv::Size size, ColourMode mode) {

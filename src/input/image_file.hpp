@@ -19,6 +19,8 @@ struct ImageFile {
 cv::Mat read_colour_file(const ImageFile& file, cv::Size size, ColourMode mode);
 /// The bytes of the file. Throws Error as above.
 std::string read_image_file(const ImageFile& file);
+/// Whether it is a JPEG; false if it cannot be read.
+bool is_jpeg_file(const ImageFile& file);
 /// CV_16UC1 as stored, or CV_32FC1.
 cv::Mat read_depth_file(const ImageFile& file, cv::Size size);
 

@@ -17,10 +17,14 @@ void check_image(const RgbdImage& image, const Camera& camera, int frame) {
   if (image.colour.type() != CV_8UC1 && image.colour.type() != CV_8UC3) {
     throw Error(where, "the colour image is neither 8-bit grey nor 8-bit BGR", "convert it");
   }
+  if (!image.grey.empty() && (image.grey.type() != CV_8UC1 || image.colour.channels() == 1)) {
+    throw Error(where, "the grey image is not 8-bit grey beside a colour one", "leave it out, or convert it");
+  }
   if (!image.depth.empty() && image.depth.type() != CV_16UC1 && image.depth.type() != CV_32FC1) {
     throw Error(where, "the depth image is neither 16-bit nor float", "convert it");
   }
-  if (image.colour.size() != size || (!image.depth.empty() && image.depth.size() != size)) {
+  if (image.colour.size() != size || (!image.depth.empty() && image.depth.size() != size) ||
+      (!image.grey.empty() && image.grey.size() != size)) {
     throw Error(where, fmt::format("the images are not {} x {} as the camera is", size.width, size.height),
                 "give the right camera, or scale image and calibration together");
   }

@@ -75,7 +75,11 @@ TrackingResult Pipeline::skip(double timestamp) {
 TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
   Stopwatch watch;
   cv::Mat grey = image.colour;
-  if (image.colour.channels() == 3) cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
+  if (!image.grey.empty()) {
+    grey = image.grey.clone();  // work beside this thread keeps it
+  } else if (image.colour.channels() == 3) {
+    cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
+  }
   if (semantics_) {
     semantics_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
   }

@@ -44,6 +44,31 @@ TEST_F(DenseCommandLine, ARunWritesWhatIsAskedForAndTheSameBytesAgain) {
   expect_no_partial_files();
 }
 
+/// Images of the sequence "s" in colours, as JPEG, which stores the brightness apart.
+void make_jpeg(const TestFolder& folder) {
+  std::string list = content(folder / "s/rgb.txt");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "s/rgb")) {
+    const std::string png = content(entry.path());
+    const cv::Mat grey = decode_png_colour({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()},
+                                           {320, 240}, ColourMode::grey)
+                             .image;
+    cv::Mat coloured;
+    cv::merge(std::vector<cv::Mat>{255 - grey, grey, 0.6 * grey}, coloured);
+    folder.write("s/rgb/" + entry.path().stem().string() + ".jpg", encode_jpeg(coloured));
+  }
+  for (std::size_t at = list.find(".png"); at != std::string::npos; at = list.find(".png"))
+    list.replace(at, 4, ".jpg");
+  folder.write("s/rgb.txt", list);
+}
+
+TEST_F(DenseCommandLine, TheTrackerSeesTheSameGreyWhetherColourIsReadOrNot) {
+  make_sequence();
+  make_jpeg(folder_);
+  ASSERT_EQ(call("run s -o grey --segmentation off --motion off --quiet").code, 0);
+  ASSERT_EQ(call(std::string(kRun) + "--dense a.ply --quiet").code, 0);
+  EXPECT_EQ(content(folder_ / "first/trajectory.txt"), content(folder_ / "grey/trajectory.txt"));
+}
+
 TEST_F(DenseCommandLine, AMapFileKeepsItsDensePart) {
   make_map();
   const auto info = nlohmann::json::parse(call("map info s.map --json").out);

@@ -16,13 +16,6 @@ std::string line(const char* title, const std::string& text) {
   return fmt::format("{:<13}{}\n", title, text);
 }
 
-std::string title_of_kind(const std::string& name) {
-  for (const SourceKind& kind : source_kinds()) {
-    if (name == kind.name) return fmt::format("{} ({})", name, kind.title);
-  }
-  return name;
-}
-
 std::string streams_text(const InputSurvey& survey) {
   std::string text;
   for (const StreamInfo& stream : survey.streams) {
@@ -146,6 +139,13 @@ nlohmann::ordered_json images_json(const InputSurvey& survey) {
 }
 
 }  // namespace
+
+std::string title_of_kind(const std::string& name) {
+  for (const SourceKind& kind : source_kinds()) {
+    if (name == kind.name) return fmt::format("{} ({})", name, kind.title);
+  }
+  return name;
+}
 
 std::string info_text(const InputSurvey& survey, const std::vector<std::string>& warnings) {
   std::string text =

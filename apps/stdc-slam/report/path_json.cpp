@@ -1,5 +1,6 @@
 #include "report/path_json.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kPositionDecimals = 4;  // [m]
+constexpr double kMinExtent = 0.1;    // [m]
 constexpr double kMaxGap = 0.25;      // [s]; a line across a longer one would show a way that nobody has seen
 
 /// Up in the axes of the camera: `rotation` degrees clockwise turn its image upright.
@@ -28,6 +30,13 @@ Eigen::Vector3d up_in_camera(int rotation) {
     default:
       return {0, -1, 0};
   }
+}
+
+/// Diagonal of the box around a path [m].
+double extent_of(const Trajectory& path) {
+  Eigen::AlignedBox3d box;
+  for (const StampedPose& pose : path) box.extend(pose.world_from_cam.translation);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 /// The rows of a rotation that takes an axis of the world, `up` with its sign, to z. From above the first
@@ -118,11 +127,15 @@ Json landmark_columns(const std::vector<Eigen::Vector3d>& landmarks, const Drawi
 DrawingFrame::DrawingFrame(const ReportPaths& paths)
     : of_truth_(paths.truth_from_estimate.has_value()),
       world_from_estimate_(paths.truth_from_estimate.value_or(Pose())) {
+  // Positions that hardly differ do not say how the estimate is to be turned; then the truth tells how the
+  // camera was held.
+  const bool by_truth = of_truth_ && !paths.truth.empty() && extent_of(paths.estimate) < kMinExtent;
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  for (const StampedPose& pose : paths.estimate) {
-    up += world_from_estimate_.rotation * (pose.world_from_cam.rotation * up_in_camera(paths.rotation));
+  for (const StampedPose& pose : by_truth ? paths.truth : paths.estimate) {
+    const Eigen::Vector3d up_there = pose.world_from_cam.rotation * up_in_camera(paths.rotation);
+    up += by_truth ? up_there : world_from_estimate_.rotation * up_there;
   }
-  if (paths.estimate.empty()) up = up_in_camera(paths.rotation);
+  if (up.isZero()) up = up_in_camera(paths.rotation);
   int axis = 0;
   up.cwiseAbs().maxCoeff(&axis);
   drawn_from_world_ = rotation_of_axes(axis, up[axis] < 0 ? -1 : 1);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 namespace stdc::app {
@@ -64,6 +65,22 @@ TEST(PathJson, TheTruthsFrameIsTurnedSoThatTheCameraIsUpright) {
   EXPECT_EQ(run["trajectory"]["y"], run["truth"]["y"]);
   EXPECT_EQ(run["trajectory"]["error_mm"][0], 2);
   EXPECT_TRUE(run["trajectory"]["error_mm"][10].is_null());
+}
+
+TEST(PathJson, ACameraThatHardlyMovesIsUprightAsTheTruthHasIt) {
+  ReportPaths paths;
+  for (int i = 0; i < 10; ++i) {
+    paths.estimate.push_back({i / 30.0, Pose(Eigen::Quaterniond::Identity(), {0.0001 * i, 0, 0})});
+    // A level camera in a world whose z is up.
+    Eigen::Matrix3d level;
+    level << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    paths.truth.push_back({i / 30.0, Pose(Eigen::Quaterniond(level), {0.0001 * i, 0, 1.5})});
+  }
+  paths.truth_from_estimate =
+      Pose(Eigen::Quaterniond(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitX())), {0, 0, 1.5});
+  nlohmann::ordered_json run;
+  add_paths(run, paths, 0);
+  EXPECT_EQ(run["axes"]["z"], "z");
 }
 
 TEST(PathJson, ACameraOnItsSideIsTurned) {

@@ -18,8 +18,8 @@ struct SampleFrame {
   std::vector<std::uint8_t> jpeg;
 };
 
-/// Keeps some frames of a run with their masks and keypoints: at even distances, where tracking fails, and where most of
-/// the view moves; and looks at their depth.
+/// Keeps some frames of a run with their masks and keypoints: at even distances, where tracking fails, and
+/// where most of the view moves; and looks at their depth.
 class SampleFrames : public FrameObserver {
  public:
   /// @param slam      that tracks the frames; asked what it found in those that are kept

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/utf8.hpp"
+
 namespace stdc::app {
 namespace {
 
@@ -14,20 +16,13 @@ constexpr const char* kSoft = "#57606a";
 constexpr const char* kGrid = "#e3e6ea";
 constexpr double kLetter = 6.6;  // width of one, about [px]
 
-/// Text as XML has it: marks escaped, what is no printable ASCII or UTF-8 lead-in dropped to '?'.
+/// Text as XML has it: marks escaped, and '?' for what is no printable character.
 std::string escaped(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    std::size_t length = c < 0x80                ? 1
-                         : c >= 0xc2 && c < 0xe0 ? 2
-                         : c >= 0xe0 && c < 0xf0 ? 3
-                         : c >= 0xf0 && c < 0xf5 ? 4
-                                                 : 0;
-    for (std::size_t k = 1; k < length; ++k) {
-      if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xc0U) != 0x80) length = 0;
-    }
-    if (length == 0 || c < 0x20) {
+    const std::size_t length = utf8_length(text, i);
+    const char c = text[i];
+    if (length == 0 || (length == 1 && static_cast<unsigned char>(c) < 0x20)) {
       result += '?';
     } else if (c == '<') {
       result += "&lt;";

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "core/utf8.hpp"
+
 namespace stdc::app {
 namespace {
 
@@ -20,12 +22,8 @@ bool is_plain(unsigned char c) {
 bool is_text(std::string_view word) {
   for (std::size_t i = 0; i < word.size();) {
     const auto c = static_cast<unsigned char>(word[i]);
-    if (c < 0x20 || c == 0x7f) return false;
-    const std::size_t length = c < 0x80 ? 1 : c >= 0xf0 && c < 0xf5 ? 4 : c >= 0xe0 ? 3 : c >= 0xc2 ? 2 : 0;
-    if (length == 0 || c >= 0xf5 || i + length > word.size()) return false;
-    for (std::size_t k = 1; k < length; ++k) {
-      if ((static_cast<unsigned char>(word[i + k]) & 0xc0U) != 0x80) return false;
-    }
+    const std::size_t length = utf8_length(word, i);
+    if (length == 0 || c < 0x20 || c == 0x7f) return false;
     i += length;
   }
   return true;

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "input/open_source.hpp"
+#include "report/info_report.hpp"
 #include "report/report_page.hpp"
 #include "report/run_report.hpp"
 #include "run/command_line.hpp"
@@ -13,13 +13,6 @@ namespace stdc::app {
 namespace {
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
-
-std::string title_of_kind(const std::string& name) {
-  for (const SourceKind& kind : source_kinds()) {
-    if (name == kind.name) return fmt::format("{} ({})", name, kind.title);
-  }
-  return name;
-}
 
 Facts facts_of(const RunOptions& options, const SequenceInput& input, const RunResults& results) {
   const int frames = results.record.counts().total();

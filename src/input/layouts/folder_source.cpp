@@ -14,6 +14,7 @@ class ImageFiles final : public PackedImages {
   cv::Mat colour(cv::Size size, ColourMode mode) const override {
     return read_colour_file(frame_.colour, size, mode);
   }
+  bool stores_brightness() const override { return is_jpeg_file(frame_.colour); }
   std::optional<std::vector<std::uint8_t>> colour_file() const override {
     const std::string text = read_image_file(frame_.colour);
     return std::vector<std::uint8_t>(text.begin(), text.end());

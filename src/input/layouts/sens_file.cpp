@@ -64,6 +64,7 @@ class SensImages final : public PackedImages {
     return image;
   }
 
+  bool stores_brightness() const override { return colour_kind_ == SensColour::jpeg; }
   std::optional<std::vector<std::uint8_t>> colour_file() const override {
     if (colour_kind_ == SensColour::raw) return std::nullopt;
     return read_bytes(path_, frame_.colour_at, frame_.colour_bytes, where_ + " (colour)");

@@ -54,6 +54,11 @@ cv::Mat metres_of(const cv::Mat& inverse, float a, float b) {
   return depth;
 }
 
+/// Red and blue stand in each other's place in the file: its brightness is another one, too.
+bool is_swapped(const CompressedImageMessage& message) {
+  return message.format.find("compressed rgb8") != std::string_view::npos;
+}
+
 }  // namespace
 
 bool is_compressed_depth(std::string_view format) {
@@ -66,13 +71,16 @@ std::optional<cv::Size> size_of(const CompressedImageMessage& message) {
   return size.empty() ? std::nullopt : std::optional(size);
 }
 
+bool stores_brightness(const CompressedImageMessage& message) {
+  return is_jpeg(message.data) && !is_swapped(message);
+}
+
 DecodedImage colour_of(const CompressedImageMessage& message, ColourMode mode) {
   const std::optional<cv::Size> size = size_of(message);
   if (!size) {
     return {{}, fmt::format("is no JPEG or PNG that can be read (its format: {})", shown(message.format))};
   }
-  // Swapped colours would make another grey.
-  const bool swapped = message.format.find("compressed rgb8") != std::string_view::npos;
+  const bool swapped = is_swapped(message);
   DecodedImage decoded = decode_colour(message.data, *size, swapped ? ColourMode::as_stored : mode);
   if (!swapped || decoded.image.channels() != 3) return decoded;
   cv::Mat image;

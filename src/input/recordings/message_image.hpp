@@ -19,6 +19,9 @@ const char* known_encodings();
 /// (their upper eight bits), yuv422 (= uyvy), yuv422_yuy2 (= yuyv) and bayer_{rggb,bggr,gbrg,grbg}8, which is
 /// interpolated linearly. Rows may be longer than the pixels.
 DecodedImage colour_of(const ImageMessage& message, ColourMode mode);
+/// Whether it gives another grey than the conversion of its colours: YUV, JPEG.
+bool stores_brightness(const ImageMessage& message);
+bool stores_brightness(const CompressedImageMessage& message);
 /// CV_16UC1 as it is (16UC1, mono16), or CV_32FC1 (32FC1, and 64FC1 rounded), of either byte order.
 DecodedImage depth_of(const ImageMessage& message);
 

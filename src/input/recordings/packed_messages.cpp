@@ -54,6 +54,12 @@ class MessageImages : public PackedImages {
     const auto decode = [&](const auto& image) { return colour_of(image, mode); };
     return unpack(colour_, size, decode, decode);
   }
+  bool stores_brightness() const override {
+    const auto stores = [](const auto& image) { return image && stdc::stores_brightness(*image); };
+    const Serialisation serialisation = colour_.topic->serialisation;
+    return colour_.topic->compressed ? stores(read_compressed_image_message(serialisation, *colour_.data))
+                                     : stores(read_image_message(serialisation, *colour_.data));
+  }
   std::optional<std::vector<std::uint8_t>> colour_file() const override {
     if (!colour_.topic->compressed) return std::nullopt;
     const auto image = read_compressed_image_message(colour_.topic->serialisation, *colour_.data);

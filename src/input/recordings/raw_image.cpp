@@ -119,6 +119,11 @@ const char* known_encodings() {
          "for depth";
 }
 
+bool stores_brightness(const ImageMessage& message) {
+  const Encoding* encoding = find_encoding(message.encoding);
+  return encoding != nullptr && encoding->type == CV_8UC2;
+}
+
 DecodedImage colour_of(const ImageMessage& message, ColourMode mode) {
   const Encoding* encoding = find_encoding(message.encoding);
   if (encoding == nullptr || encoding->meaning == PixelMeaning::depth) {

@@ -40,7 +40,7 @@ function comparedTable(runs) {
     const best = better === "high" ? Math.max(...known) : Math.min(...known);
     // Numbers that look the same are as good as each other; where all do, none is best.
     const texts = values.map((one) => (isNumber(one) ? print(one) : "–"));
-    const differs = better && new Set(texts).size > 1;
+    const differs = better && new Set(known.map((one) => print(one))).size > 1;
     rows.push([name, ...values.map((one, i) => ({ text: texts[i], best: differs && texts[i] === print(best) }))]);
   }
   return table(["", ...runs.map(runName)], rows);
