@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
       "STDC-SLAM: RGB-D visual SLAM that keeps its accuracy when people walk through the scene",
       STDC_VERSION);
   stdc::app::add_run_command(program.root());
+  stdc::app::add_ros2_command(program.root());
   stdc::app::add_info_command(program.root());
   stdc::app::add_convert_command(program.root());
   stdc::app::add_segment_command(program.root());

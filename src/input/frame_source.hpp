@@ -77,6 +77,13 @@ class FrameSource {
   virtual void rewind() = 0;
   /// False for live cameras.
   virtual bool can_rewind() const { return true; }
+  /// Whether frames come at a pace of their own, until stop() is called: next() waits for them, and those that
+  /// are not asked for in time are lost.
+  virtual bool is_live() const { return false; }
+  /// Ends a live source: next() gives what has come already, then nothing. From any thread.
+  virtual void stop() {}
+  /// Frames of a live source that were left out so far because they came too late.
+  virtual int dropped() const { return 0; }
   /// How many frames next() gives in all; nothing if that is not known before the end.
   virtual std::optional<int> frame_count() const = 0;
   /// About how many, for a progress bar.

@@ -34,6 +34,7 @@ Answers run_asking(bool ask) {
     result.mapped += tracked.mapping ? 1 : 0;
     if (!ask) continue;
     EXPECT_EQ(slam.trajectory().size(), static_cast<std::size_t>(i) + 1) << "the newest frame included";
+    EXPECT_TRUE(same_bytes(slam.latest_poses(1), {slam.trajectory().back()}));
     EXPECT_EQ(slam.keyframe_trajectory().size(), static_cast<std::size_t>(slam.keyframes()));
     EXPECT_EQ(slam.landmark_positions().size(), static_cast<std::size_t>(slam.landmarks()));
     EXPECT_GT(slam.landmarks(), 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,7 +37,8 @@ class Pipeline {
   /// Reads a map, before the first frame.
   void load_map(const std::filesystem::path& path);
 
-  std::vector<FramePose> trajectory() const;
+  /// The last `count` frames.
+  std::vector<FramePose> trajectory(std::size_t count = std::numeric_limits<std::size_t>::max()) const;
   const Camera& camera() const { return sensor_.camera; }
   /// As the tracking thread knows it, at any time.
   const AtlasSnapshot& snapshot() const { return back_end_.snapshot(); }

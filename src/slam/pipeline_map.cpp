@@ -1,5 +1,6 @@
 // How the pipeline's map comes to be: keyframes, new maps, a map of an earlier run, and what is read from it.
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "atlas/map_file.hpp"
@@ -128,11 +129,12 @@ void Pipeline::load_map(const std::filesystem::path& path) {
   back_end_.set_atlas(std::move(stored.atlas));
 }
 
-std::vector<FramePose> Pipeline::trajectory() const {
+std::vector<FramePose> Pipeline::trajectory(std::size_t count) const {
   const AtlasSnapshot& snapshot = back_end_.snapshot();
+  count = std::min(count, posed_.size());
   std::vector<FramePose> poses;
-  poses.reserve(posed_.size());
-  for (const PosedFrame& posed : posed_) {
+  poses.reserve(count);
+  for (const PosedFrame& posed : std::span(posed_).last(count)) {
     const Pose cam_from_world = snapshot.cam_from_world(posed.reference, posed.frame_from_reference);
     poses.push_back({posed.frame, posed.timestamp, cam_from_world.inverse(),
                      snapshot.keyframes()[posed.reference.value].map});

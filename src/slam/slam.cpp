@@ -1,5 +1,6 @@
 #include "slam/slam.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "atlas/map_file.hpp"
@@ -43,6 +44,9 @@ void Slam::save_map(const std::filesystem::path& path) {
 }
 
 std::vector<FramePose> Slam::trajectory() const { return pipeline_->trajectory(); }
+std::vector<FramePose> Slam::latest_poses(int count) const {
+  return pipeline_->trajectory(static_cast<std::size_t>(std::max(0, count)));
+}
 
 std::vector<FramePose> Slam::keyframe_trajectory() const {
   const AtlasSnapshot& snapshot = pipeline_->snapshot();

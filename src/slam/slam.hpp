@@ -65,7 +65,9 @@ class Slam {
   /// With `system.localisation_only` there are none: those of the results are final, and a session may be
   /// long.
   std::vector<FramePose> trajectory() const;
-  /// The same of the keyframes that this session has made.
+  /// The last `count` of these, without going through all: where the latest frames are in the map as it is now.
+  std::vector<FramePose> latest_poses(int count) const;
+  /// trajectory() of the keyframes that this session has made.
   std::vector<FramePose> keyframe_trajectory() const;
   /// Maps that were not joined to others.
   int maps() const;

@@ -15,6 +15,7 @@ void add_map_command(Command program);
 void add_places_command(Command program);
 void add_render_command(Command program);
 void add_report_command(Command program);
+void add_ros2_command(Command program);
 void add_run_command(Command program);
 void add_segment_command(Command program);
 void add_settings_command(Command program);

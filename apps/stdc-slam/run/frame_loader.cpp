@@ -9,12 +9,13 @@ FrameLoader::FrameLoader(const SequenceInput& input, ColourMode mode, int ahead)
     : source_(input.start()),
       decoder_(input.cameras),
       mode_(mode),
-      ahead_(static_cast<std::size_t>(std::max(1, ahead))),
+      ahead_(source_.is_live() ? 1 : static_cast<std::size_t>(std::max(1, ahead))),
       skip_(input.first_frame()),
       count_(input.frame_count()),
       thread_([this] { work(); }) {}
 
 FrameLoader::~FrameLoader() {
+  source_.stop();  // a live one: the thread may be waiting for its next frame
   {
     const std::lock_guard lock(mutex_);
     stop_ = true;
@@ -32,6 +33,11 @@ std::optional<LoadedFrame> FrameLoader::next() {
   lock.unlock();
   changed_.notify_all();
   return frame;
+}
+
+bool FrameLoader::wait(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, patience, [this] { return !ready_.empty() || done_; });
 }
 
 void FrameLoader::work() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -30,7 +31,7 @@ struct LoadedFrame {
 class FrameLoader {
  public:
   /// Goes through the chosen frames of `input`, which must outlive the loader and have no other loader.
-  /// `ahead`: most frames waiting to be asked for.
+  /// `ahead`: most frames waiting to be asked for; of a live source only one, for it grows old.
   FrameLoader(const SequenceInput& input, ColourMode mode, int ahead = 3);
   ~FrameLoader();
   FrameLoader(const FrameLoader&) = delete;
@@ -38,6 +39,8 @@ class FrameLoader {
 
   /// The next frame in order, waiting for it if need be; nothing at the end.
   std::optional<LoadedFrame> next();
+  /// Waits until next() need not; false if that is not so after `patience`.
+  bool wait(std::chrono::milliseconds patience);
 
  private:
   void work();

@@ -20,4 +20,15 @@ bool InterruptWatch::interrupted() const {
   return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
 }
 
+bool InterruptWatch::take() const {
+  sigset_t awaited;
+  sigemptyset(&awaited);
+  sigaddset(&awaited, SIGINT);
+  sigaddset(&awaited, SIGTERM);
+  const timespec at_once{};
+  bool taken = false;
+  while (sigtimedwait(&awaited, nullptr, &at_once) > 0) taken = true;
+  return taken;
+}
+
 }  // namespace stdc::app

@@ -15,6 +15,8 @@ class InterruptWatch {
 
   /// Has one of the signals come?
   bool interrupted() const;
+  /// The same, and takes it: the program goes on to its end by itself. The next one counts anew.
+  bool take() const;
 
  private:
   sigset_t before_{};

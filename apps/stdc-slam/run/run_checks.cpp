@@ -43,6 +43,15 @@ void check_inpainting(const RunOptions& options, const Settings& settings) {
   }
 }
 
+void check_live(const RunOptions& options, const SequenceInput& input) {
+  if (!input.source().is_live()) return;
+  if (options.inpaint) {
+    throw Error("--inpaint", "needs the frames a second time, and a camera gives them once",
+                "record them first: stdc-slam record");
+  }
+  if (options.realtime) throw Error("--realtime", "a camera has a pace of its own", "leave it out");
+}
+
 void check_apart(const RunOptions& options, const InpaintedFolder& inpainted) {
   for (const std::optional<std::filesystem::path>& other :
        {std::optional(options.output), options.save_masks, options.debug_images}) {

@@ -15,6 +15,8 @@ void check_map_options(const RunOptions& options, const Settings& settings);
 void check_place_for_map(const RunOptions& options);
 /// Whether there will be masks to inpaint by.
 void check_inpainting(const RunOptions& options, const Settings& settings);
+/// A live source is there once, and has a pace of its own.
+void check_live(const RunOptions& options, const SequenceInput& input);
 /// The folder of --inpaint, which appears at the end, must not hold other results.
 void check_apart(const RunOptions& options, const InpaintedFolder& inpainted);
 

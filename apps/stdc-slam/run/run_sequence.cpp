@@ -71,15 +71,6 @@ void warn_of_useless_masks(const std::filesystem::path& folder, const SequenceIn
   }
 }
 
-void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output) {
-  output.write("trajectory.txt", format_trajectory(trajectories.frames));
-  output.write("keyframes.txt", format_trajectory(trajectories.keyframes));
-  for (const auto& [map, frames] : trajectories.others) {
-    output.write(fmt::format("trajectory-map-{}.txt", map.value), format_trajectory(frames));
-  }
-  output.drop_older("trajectory-map-");
-}
-
 std::string describe(const InpaintReport& report, const std::filesystem::path& folder) {
   const double unknown =
       report.replaced > 0 ? static_cast<double>(report.unknown) / static_cast<double>(report.replaced) : 0;
@@ -121,6 +112,7 @@ bool run_sequence(const RunOptions& options) {
   cv::setNumThreads(1);  // loader, tracker and mapper already fill the cores; OpenCV's own threads would spin
   const Settings settings = run_settings(options);
   const SequenceInput input(options.input);
+  check_live(options, input);
   auto segmenter = run_segmenter(options, settings, input);
   std::optional<LiveView> view;
   if (options.view.port)

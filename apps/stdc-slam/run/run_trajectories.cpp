@@ -1,5 +1,7 @@
 #include "run/run_trajectories.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace stdc::app {
@@ -21,6 +23,15 @@ RunTrajectories by_map(const std::vector<FramePose>& frames, const std::vector<F
     if (pose.map == trajectories.map) trajectories.keyframes.push_back({pose.timestamp, pose.world_from_cam});
   }
   return trajectories;
+}
+
+void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output) {
+  output.write("trajectory.txt", format_trajectory(trajectories.frames));
+  output.write("keyframes.txt", format_trajectory(trajectories.keyframes));
+  for (const auto& [map, frames] : trajectories.others) {
+    output.write(fmt::format("trajectory-map-{}.txt", map.value), format_trajectory(frames));
+  }
+  output.drop_older("trajectory-map-");
 }
 
 }  // namespace stdc::app

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "input/trajectory.hpp"
+#include "run/output_folder.hpp"
 #include "slam/slam.hpp"
 
 namespace stdc::app {
@@ -16,5 +17,7 @@ struct RunTrajectories {
 };
 
 RunTrajectories by_map(const std::vector<FramePose>& frames, const std::vector<FramePose>& keyframes);
+/// Writes trajectory.txt, keyframes.txt and trajectory-map-N.txt.
+void write_trajectories(const RunTrajectories& trajectories, OutputFolder& output);
 
 }  // namespace stdc::app

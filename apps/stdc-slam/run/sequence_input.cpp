@@ -26,7 +26,10 @@ RgbdCameras find_cameras(const FrameSource& source, const std::optional<std::fil
 }  // namespace
 
 SequenceInput::SequenceInput(const InputOptions& options)
-    : name(name_of(options.path)), source_(open_source(options.path, options.source)) {
+    : SequenceInput(options, open_source(options.path, options.source)) {}
+
+SequenceInput::SequenceInput(const InputOptions& options, std::unique_ptr<FrameSource> source)
+    : name(name_of(options.path)), source_(std::move(source)) {
   cameras = find_cameras(*source_, options.camera);
   for (const std::string& note : source_->notes()) fmt::print(stderr, "stdc-slam: {}\n", note);
   if (!source_->truth_comes_last()) truth_file();

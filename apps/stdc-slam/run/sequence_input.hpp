@@ -28,6 +28,8 @@ class SequenceInput {
   /// truth where that takes no time. Throws Error for whatever is wrong with the input, the camera or the
   /// range.
   explicit SequenceInput(const InputOptions& options);
+  /// The same of a source that was opened elsewhere.
+  SequenceInput(const InputOptions& options, std::unique_ptr<FrameSource> source);
   SequenceInput(const SequenceInput&) = delete;
   SequenceInput& operator=(const SequenceInput&) = delete;
 
@@ -47,6 +49,8 @@ class SequenceInput {
   /// Error if it was used before and cannot be rewound.
   FrameSource& start() const;
   const FrameSource& source() const { return *source_; }
+  /// Ends a live source.
+  void stop() const { source_->stop(); }
   int first_frame() const { return range_.first; }
   /// The frame after the last chosen one, if that is known before it is reached.
   std::optional<int> end_frame() const { return range_.end; }

@@ -78,6 +78,16 @@ void check_end(const SequenceInput& input, int frames, Progress& progress) {
 
 }  // namespace
 
+std::optional<LoadedFrame> next_frame(const SequenceInput& input, FrameLoader& loader,
+                                      const InterruptWatch& interrupts) {
+  constexpr std::chrono::milliseconds kPatience(50);
+  if (!input.source().is_live()) return loader.next();
+  do {
+    if (interrupts.take()) input.stop();
+  } while (!loader.wait(kPatience));
+  return loader.next();
+}
+
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
                   Slam& slam, RunRecord& record, std::span<FrameObserver* const> observers) {
   FrameLoader loader(input, options.colour);
@@ -85,7 +95,7 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
   FaultReport faults(progress);
   Pacer pacer(options.realtime);
   Stopwatch stopwatch;
-  while (const auto frame = loader.next()) {
+  while (const auto frame = next_frame(input, loader, interrupts)) {
     const int number = input.first_frame() + frame->index;
     // Then the camera or the whole sequence is wrong.
     if (frame->error && frame->index == 0) throw *frame->error;
@@ -100,7 +110,7 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
     for (FrameObserver* observer : observers) {
       observer->on_frame({number, frame->image ? &*frame->image : nullptr, result});
     }
-    if (interrupts.interrupted()) {
+    if (!input.source().is_live() && interrupts.interrupted()) {
       // Said here, because the signal ends the program as soon as the watch is gone.
       const auto count = input.frame_count();
       progress.message(fmt::format("stdc-slam: interrupted after {}{} frames; nothing was written",

@@ -26,6 +26,10 @@ std::optional<std::size_t> StampPairing::nearest_depth(std::int64_t stamp) const
 bool StampPairing::needs_more() const {
   if (finished_) return false;
   const std::int64_t first = colour_.front().stamp;
+  if (const auto near = nearest_depth(first);
+      near && at_once_ > 0 && std::abs(depth_[*near].stamp - first) <= at_once_) {
+    return false;
+  }
   if (depth_.empty() || depth_.back().stamp < first) return true;
   // A depth image behind the first colour image may be nearer to the second one, and that to another depth
   // image.

@@ -21,7 +21,10 @@ struct WaitingMessage {
 class StampPairing {
  public:
   /// @param tolerance  [ns]
-  explicit StampPairing(std::int64_t tolerance) : tolerance_(tolerance) {}
+  /// @param at_once    [ns] a partner this near is taken without waiting for a nearer one: live cameras cannot
+  ///                   wait
+  explicit StampPairing(std::int64_t tolerance, std::int64_t at_once = 0)
+      : tolerance_(tolerance), at_once_(at_once) {}
 
   void add_colour(WaitingMessage message) { colour_.push_back(std::move(message)); }
   void add_depth(WaitingMessage message) { depth_.push_back(std::move(message)); }
@@ -48,7 +51,7 @@ class StampPairing {
   void drop_depth_before_colour();
   std::optional<std::size_t> partner_of_first() const;
 
-  std::int64_t tolerance_;
+  std::int64_t tolerance_, at_once_;
   std::deque<WaitingMessage> colour_, depth_;
   bool finished_ = false, give_way_ = false;
   int colour_without_depth_ = 0;

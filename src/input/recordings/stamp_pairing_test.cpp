@@ -83,5 +83,20 @@ TEST(StampPairing, GivesWayWhereNoMoreCanWait) {
   EXPECT_EQ(pairing.waiting(), 4U);
 }
 
+TEST(StampPairing, TakesAPartnerThatIsNearEnoughAtOnce) {
+  StampPairing patient(20), live(20, 10);
+  for (StampPairing* pairing : {&patient, &live}) {
+    pairing->add_colour(at(100));
+    pairing->add_depth(at(104));
+  }
+  EXPECT_FALSE(patient.next().has_value()) << "the next colour image may be nearer";
+  const auto pair = live.next();
+  ASSERT_TRUE(pair.has_value());
+  EXPECT_EQ(pair->second.stamp, 104);
+  live.add_colour(at(200));
+  live.add_depth(at(215));
+  EXPECT_FALSE(live.next().has_value());
+}
+
 }  // namespace
 }  // namespace stdc
