@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   stdc::app::add_ros2_command(program.root());
   stdc::app::add_info_command(program.root());
   stdc::app::add_convert_command(program.root());
+  stdc::app::add_record_command(program.root());
   stdc::app::add_segment_command(program.root());
   stdc::app::add_evaluate_command(program.root());
   stdc::app::add_ablation_command(program.root());

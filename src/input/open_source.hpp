@@ -18,7 +18,7 @@ struct SourceKind {
   bool (*matches)(const std::filesystem::path& path);
   /// Throws Error for whatever is wrong with it.
   std::unique_ptr<FrameSource> (*open)(const std::filesystem::path& path, const SourceOptions& options);
-  bool takes_rate = false, takes_topics = false;
+  bool takes_rate = false, takes_topics = false, is_live = false;
 };
 
 /// All kinds, the first that matches counts.

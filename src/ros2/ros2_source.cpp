@@ -18,6 +18,8 @@ constexpr std::size_t kMaxWaiting = 60;           // images without a partner
 constexpr std::size_t kMaxWaitingBytes = std::size_t{96} << 20U;
 /// Frames that wait: the newest two of a live camera; what a publisher sends ahead where none may be lost.
 constexpr std::size_t kLiveFrames = 2, kFramesAhead = 8;
+/// The same until tracking begins: the cameras are looked for by the first frames.
+constexpr std::size_t kFirstFrames = 15;
 
 bool is_compressed(const std::string& topic) {
   return topic.ends_with("/compressed") || topic.ends_with("/compressedDepth");
@@ -55,7 +57,7 @@ Delivery image_delivery(Reception reception) {
 Ros2Source::Ros2Source(Node& node, const Ros2SourceOptions& options)
     : node_(node),
       options_(options),
-      queue_(options.reception == Reception::every_frame ? kFramesAhead : kLiveFrames),
+      queue_(options.reception == Reception::every_frame ? kFramesAhead : kLiveFrames, kFirstFrames),
       search_(topics_by_stream(options.topics)),
       pairing_(make_pairing(options)) {
   const auto topic = [&](const std::string& name) {

@@ -127,6 +127,16 @@ bool wait_until(const Condition& condition, double seconds) {
   return true;
 }
 
+/// With depth as ROS has it (REP 118).
+PlayedImages in_millimetres(PlayedImages images) {
+  for (PlayedImages::Frame& frame : images.frames) {
+    cv::Mat depth;
+    frame.depth.convertTo(depth, CV_16U, 1000 / images.camera.depth_units_per_metre);
+    frame.depth = depth;
+  }
+  return images;
+}
+
 /// When each colour image was sent, by its stamp: latency is counted from the later image of the pair.
 using Sent = std::map<std::int64_t, Clock::time_point>;
 
@@ -171,14 +181,15 @@ void write(const std::string& path, const std::string& text) {
 
 int play(const std::vector<std::string>& words) {
   const std::string size = value_of(words, "--size", "0x0");
-  const PlayedImages images = read_images(
+  const PlayedImages as_they_are = read_images(
       words[1], std::stoi(value_of(words, "--frames", "0")),
       {std::stoi(size.substr(0, size.find('x'))), std::stoi(size.substr(size.find('x') + 1))});
+  const PlayedImages images = has(words, "--millimetres") ? in_millimetres(as_they_are) : as_they_are;
   const Participant participant(domain());
   Camera camera(participant, words, images);
   Listener listener(participant);
   camera.send_static();
-  if (!has(words, "--unheard") && !wait_until([&] { return camera.connected() && listener.connected(); }, kPatience)) {
+  if (!wait_until([&] { return camera.connected() && listener.connected(); }, kPatience)) {
     fmt::print(stderr, "ros2_peer: nobody listens\n");
     return 1;
   }
@@ -192,7 +203,10 @@ int play(const std::vector<std::string>& words) {
   const double seconds = seconds_since(start);
   const std::int64_t last = sent.rbegin()->first;
   const double patience = std::stod(value_of(words, "--patience", fmt::format("{}", kPatience)));
-  const bool all = wait_until([&] { return listener.last_stamp() >= last; }, patience);
+  // The last frame may wait for a depth image that is nearer.
+  const int awaited = std::stoi(value_of(words, "--await", "0"));
+  const bool all = wait_until(
+      [&] { return awaited > 0 ? listener.odometry_count() >= awaited : listener.last_stamp() >= last; }, patience);
   // Diagnostics and what comes once a second.
   std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(value_of(words, "--linger", "0"))));
   report(listener, sent, seconds);

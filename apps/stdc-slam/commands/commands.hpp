@@ -13,6 +13,7 @@ void add_features_command(Command program);
 void add_info_command(Command program);
 void add_map_command(Command program);
 void add_places_command(Command program);
+void add_record_command(Command program);
 void add_render_command(Command program);
 void add_report_command(Command program);
 void add_ros2_command(Command program);

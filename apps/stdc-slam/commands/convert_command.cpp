@@ -6,6 +6,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/input_options.hpp"
+#include "core/error.hpp"
 #include "run/convert_input.hpp"
 
 namespace stdc::app {
@@ -45,7 +46,40 @@ Examples:
   stdc-slam convert scene0000_00.sens --output scene --frames 0:500
   stdc-slam convert chess/seq-01 --output chess-01 --camera kinect.yaml)";
 
+constexpr const char* kRecordFooter = R"(
+Records until Ctrl-C, then the folder appears, in the layout of the TUM RGB-D benchmark: see convert. Frames that came too
+late to be written are left out, and their number is told. OpenNI knows no intrinsics: --camera gives them.
+
+Examples:
+  stdc-slam record openni2: --camera kinect.yaml --output office
+  stdc-slam record openni2: --camera kinect.yaml --output office --frames :900)";
+
+void record(Options options) {
+  constexpr int kFramesThatWait = 60;  // while the disk is busy: 90 MB
+  options.input.source.max_waiting = kFramesThatWait;
+  convert(options);
+}
+
 }  // namespace
+
+void add_record_command(Command program) {
+  auto options = std::make_shared<Options>();
+  Command command = program.add_subcommand("record", "Record a live camera as a folder in TUM RGB-D layout");
+  command.add_option("SOURCE", options->input.path, "Live camera: openni2: or openni2:URI").required();
+  command.add_option("--output,-o", options->output, "Folder to be made").required();
+  command.add_option("--camera", options->input.camera, "Camera file");
+  add_frames_option(command, options->input);
+  command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
+  command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
+  command.footer(kRecordFooter);
+  command.callback([options] {
+    const SourceKind* kind = recognise_source(options->input.path);
+    if (kind == nullptr || !kind->is_live) {
+      throw Error(options->input.path.string(), "is no live camera", "give openni2:, or use convert for a recording");
+    }
+    record(*options);
+  });
+}
 
 void add_convert_command(Command program) {
   auto options = std::make_shared<Options>();

@@ -8,6 +8,7 @@
 #include "run/frame_loader.hpp"
 #include "run/inpainted_folder.hpp"
 #include "run/progress.hpp"
+#include "run/track_frames.hpp"
 
 namespace stdc::app {
 namespace {
@@ -56,7 +57,7 @@ ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, 
   Progress progress("converting", "frames", input.expected_frame_count(), quiet);
   ConvertReport report;
   std::string imu;
-  while (const auto frame = loader.next()) {
+  while (const auto frame = next_frame(input, loader, interrupts)) {
     if (frame->error) {
       if (frame->index == 0) throw *frame->error;  // then the camera or the whole input is wrong
       ++report.unreadable;
@@ -71,7 +72,7 @@ ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, 
     imu += format_imu(frame->imu);
     report.imu_readings += static_cast<int>(frame->imu.size());
     progress.update(++report.frames);
-    if (interrupts.interrupted())
+    if (!input.source().is_live() && interrupts.interrupted())
       throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
   }
   progress.finish();

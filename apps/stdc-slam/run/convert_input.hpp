@@ -18,6 +18,7 @@ struct ConvertReport {
 /// Writes an input as a folder in TUM RGB-D layout: colour and registered depth as PNG, camera.yaml,
 /// groundtruth.txt and imu.txt ("timestamp wx wy wz ax ay az", as ETH3D has it) if the input has them; all of
 /// it or nothing. Frames that cannot be read are reported on stderr and left out.
+/// A live source ends when the program is interrupted, and what came until then is written.
 /// @param overwrite  replace a sequence that is there
 /// Throws Error if there is no frame, the first cannot be read, the folder cannot be written, or the program
 /// is interrupted.

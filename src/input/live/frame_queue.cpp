@@ -8,7 +8,7 @@ void FrameQueue::push(SourceFrame frame) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
-    if (frames_.size() >= max_) {
+    while (frames_.size() >= max_now_) {
       frames_.pop_front();
       ++dropped_;
     }
@@ -19,7 +19,7 @@ void FrameQueue::push(SourceFrame frame) {
 
 bool FrameQueue::is_full() const {
   const std::lock_guard lock(mutex_);
-  return frames_.size() >= max_;
+  return frames_.size() >= max_now_;
 }
 
 std::optional<SourceFrame> FrameQueue::pop() {
@@ -28,6 +28,7 @@ std::optional<SourceFrame> FrameQueue::pop() {
   if (frames_.empty()) return std::nullopt;
   SourceFrame frame = std::move(frames_.front());
   frames_.pop_front();
+  if (frames_.size() <= max_) max_now_ = max_;  // not at once: those that waited are no fault of who is ready now
   return frame;
 }
 
@@ -37,11 +38,6 @@ void FrameQueue::close() {
     closed_ = true;
   }
   changed_.notify_all();
-}
-
-void FrameQueue::clear() {
-  const std::lock_guard lock(mutex_);
-  frames_.clear();
 }
 
 int FrameQueue::dropped() const {

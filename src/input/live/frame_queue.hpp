@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -13,8 +14,10 @@ namespace stdc {
 /// where it is full the oldest frame goes, for the newest is worth most. Any thread may call anything.
 class FrameQueue {
  public:
-  /// @param max  most frames that wait, at least 1
-  explicit FrameQueue(std::size_t max) : max_(max) {}
+  /// @param max        most frames that wait, at least 1
+  /// @param max_first  the same until the first one is asked for: who works on them has to get ready
+  explicit FrameQueue(std::size_t max, std::size_t max_first = 0)
+      : max_(max), max_now_(std::max(max, max_first)) {}
 
   /// Drops the oldest frame if it is full. After close() nothing is taken.
   void push(SourceFrame frame);
@@ -23,13 +26,12 @@ class FrameQueue {
   std::optional<SourceFrame> pop();
   /// No more frames will come: those that are there can still be had.
   void close();
-  /// Leaves out all that wait, without counting them.
-  void clear();
   /// Frames that came too late for who works on them, and were left out.
   int dropped() const;
 
  private:
   const std::size_t max_;
+  std::size_t max_now_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<SourceFrame> frames_;

@@ -22,6 +22,15 @@ TEST(FrameQueue, DropsTheOldestAndCountsIt) {
   EXPECT_EQ(queue.pop()->timestamp, 4);
 }
 
+TEST(FrameQueue, KeepsMoreUntilSomebodyIsReady) {
+  FrameQueue queue(2, 5);
+  for (int i = 0; i < 6; ++i) queue.push(at(i));
+  EXPECT_EQ(queue.dropped(), 1);
+  for (int i = 1; i < 6; ++i) EXPECT_EQ(queue.pop()->timestamp, i);
+  for (int i = 0; i < 6; ++i) queue.push(at(i));
+  EXPECT_EQ(queue.dropped(), 5);
+}
+
 TEST(FrameQueue, GivesWhatItHasAfterTheEnd) {
   FrameQueue queue(3);
   queue.push(at(1));

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "input/recordings/test_messages.hpp"
+#include "ros2/node.hpp"
+
+namespace stdc::ros2 {
+
+/// Loopback only, in a domain that hardly another test has.
+inline NodeOptions test_domain() { return {.domain = 1 + static_cast<int>(getpid() % 99), .localhost_only = true}; }
+
+/// Waits for what will happen, however slow the machine is.
+inline bool eventually(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+using Style = test::MessageWriter::Style;
+
+}  // namespace stdc::ros2
