@@ -77,8 +77,8 @@ class FrameSource {
   virtual void rewind() = 0;
   /// False for live cameras.
   virtual bool can_rewind() const { return true; }
-  /// Whether frames come at a pace of their own, until stop() is called: next() waits for them, and those that
-  /// are not asked for in time are lost.
+  /// Whether frames come at a pace of their own, until stop() is called: next() waits for them, and those
+  /// that are not asked for in time are lost.
   virtual bool is_live() const { return false; }
   /// Ends a live source: next() gives what has come already, then nothing. From any thread.
   virtual void stop() {}

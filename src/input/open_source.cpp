@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 // A kind that is recognised by more comes before one that is recognised by less.
 constexpr std::array kKinds{
-    SourceKind{"openni2", "camera by OpenNI 2, live: openni2: for the first one, or openni2:URI", is_openni_device,
-               open_openni_device, false, false, true},
+    SourceKind{"openni2", "camera by OpenNI 2, live: openni2: for the first one, or openni2:URI",
+               is_openni_device, open_openni_device, false, false, true},
     SourceKind{"tum", "folder in TUM RGB-D layout: rgb.txt, depth.txt (also BONN, ETH3D)", is_tum_folder,
                open_tum_folder, true},
     SourceKind{"openloris", "folder of OpenLORIS-Scene: color.txt, aligned_depth.txt", is_openloris,

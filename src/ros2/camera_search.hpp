@@ -15,8 +15,8 @@ enum class CameraStream { colour, depth, colour_info, depth_info, transforms };
 
 using FoundCameras = RecordingCameras;
 
-/// Finds the cameras by the first messages, by the same rules as in a recording: CameraInfo, and tf_static for
-/// depth that is not registered.
+/// Finds the cameras by the first messages, by the same rules as in a recording: CameraInfo, and tf_static
+/// for depth that is not registered.
 class CameraSearch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -28,8 +28,8 @@ class CameraSearch {
   explicit CameraSearch(const std::vector<Topic>& topics_by_stream);
 
   void add(CameraStream stream, Bytes data, Clock::time_point now);
-  /// The cameras, if what came suffices: both images, some stamps for the rate, camera info, and what registers
-  /// depth if that may be needed, unless it does not come for seconds.
+  /// The cameras, if what came suffices: both images, some stamps for the rate, camera info, and what
+  /// registers depth if that may be needed, unless it does not come for seconds.
   /// @param camera_is_known  camera info is not needed; the result has no cameras then
   /// Throws Error as find_cameras() does.
   std::optional<FoundCameras> find(Clock::time_point now, bool camera_is_known);

@@ -28,9 +28,9 @@ struct Header {
 struct Odometry {
   Header header;
   std::string child;
-  Pose pose;                              ///< header's frame from child
-  Matrix6d pose_covariance;               ///< [m, rad]
-  Vector6d velocity = Vector6d::Zero();   ///< of the child, in its own axes [m/s, rad/s]
+  Pose pose;                             ///< header's frame from child
+  Matrix6d pose_covariance;              ///< [m, rad]
+  Vector6d velocity = Vector6d::Zero();  ///< of the child, in its own axes [m/s, rad/s]
   Matrix6d velocity_covariance;
 };
 Message odometry_message(const Odometry& odometry);

@@ -13,12 +13,13 @@ namespace {
 constexpr std::int64_t kStamp = 1'700'000'001'023'456'789;
 const Pose kPose(rotation_exp({0.1, -0.2, 0.3}), {1, 2, 3});
 
-// Read back by the readers of recordings, which other people's writers test. That the other DDS library's types agree
-// is tested with ros2_peer.
+// Read back by the readers of recordings, which other people's writers test. That the other DDS library's
+// types agree is tested with ros2_peer.
 
 TEST(Messages, OdometryHasPoseVelocityAndCovariances) {
-  Odometry odometry{{kStamp, "odom"}, "base_link", kPose, Matrix6d::Identity(), Vector6d::Constant(0.5),
-                    2 * Matrix6d::Identity()};
+  Odometry odometry{
+      {kStamp, "odom"},        "base_link", kPose, Matrix6d::Identity(), Vector6d::Constant(0.5),
+      2 * Matrix6d::Identity()};
   odometry.pose_covariance(0, 5) = 7;
   const Message bytes = odometry_message(odometry);
   const auto pose = read_pose_message("nav_msgs/Odometry", Serialisation::cdr, bytes);
@@ -31,13 +32,15 @@ TEST(Messages, OdometryHasPoseVelocityAndCovariances) {
   double last = 0, corner = 0;
   std::memcpy(&last, bytes.data() + bytes.size() - 8, 8);
   EXPECT_EQ(last, 2);
-  // The sixth number of the pose's covariance, from the end: 36 of the velocity's, 6 of the velocity, 31 of its own.
+  // The sixth number of the pose's covariance, from the end: 36 of the velocity's, 6 of the velocity, 31 of
+  // its own.
   std::memcpy(&corner, bytes.data() + bytes.size() - 8 * (36 + 6 + 31), 8);
   EXPECT_EQ(corner, 7) << "row by row";
 }
 
 TEST(Messages, TransformsNameParentAndChild) {
-  const std::vector<Transform> transforms{{{kStamp, "map"}, "odom", Pose()}, {{kStamp, "odom"}, "base", kPose}};
+  const std::vector<Transform> transforms{{{kStamp, "map"}, "odom", Pose()},
+                                          {{kStamp, "odom"}, "base", kPose}};
   const auto read = read_transforms_message(Serialisation::cdr, transforms_message(transforms));
   ASSERT_TRUE(read.has_value());
   ASSERT_EQ(read->size(), 2U);
@@ -90,7 +93,8 @@ TEST(Messages, CloudsHoldFloats) {
 TEST(Messages, DiagnosticsOfAnyLengthAreComplete) {
   std::vector<DiagnosticStatus> statuses(3);
   for (DiagnosticStatus& status : statuses) {
-    status = {DiagnosticStatus::Level::error, "stdc_slam: camera", std::string(2000, 'x'), {{"key", "value"}}};
+    status = {
+        DiagnosticStatus::Level::error, "stdc_slam: camera", std::string(2000, 'x'), {{"key", "value"}}};
   }
   const Message bytes = diagnostics_message(kStamp, statuses);
   MessageReader reader(Serialisation::cdr, bytes);

@@ -1,5 +1,6 @@
 #include "ros2/node.hpp"
 
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,18 +8,13 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/log/Log.hpp>
-#include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <map>
 #include <mutex>
 
 #include "core/error.hpp"
+#include "ros2/fast_endpoints.hpp"
 #include "ros2/raw_type.hpp"
 #include "ros2/topic_names.hpp"
 
@@ -29,129 +25,15 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr const char* kNetworkHint = "check ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and the network";
-/// Messages that a publisher has to keep while we are busy, and we while our own threads are.
-constexpr int kMaxKept = 16;
-
-/// Sets what readers and writers share.
-template <typename Qos>
-void set_delivery(const Delivery& delivery, Qos& qos) {
-  qos.reliability().kind =
-      delivery.reliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
-  qos.durability().kind =
-      delivery.transient_local ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
-  const bool keep_all = delivery.depth == 0;
-  qos.history().kind = keep_all ? dds::KEEP_ALL_HISTORY_QOS : dds::KEEP_LAST_HISTORY_QOS;
-  qos.history().depth = keep_all ? kMaxKept : delivery.depth;
-  qos.resource_limits().max_instances = 1;
-  qos.resource_limits().max_samples = qos.history().depth;
-  qos.resource_limits().max_samples_per_instance = qos.history().depth;
-  qos.resource_limits().allocated_samples = 1;
-  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
-  // Versions of Fast DDS share memory in ways of their own.
-  qos.data_sharing().off();
-}
-
-std::string policy_name(dds::QosPolicyId_t policy) {
-  if (policy == dds::RELIABILITY_QOS_POLICY_ID) return "reliability";
-  if (policy == dds::DURABILITY_QOS_POLICY_ID) return "durability";
-  return fmt::format("policy {}", static_cast<int>(policy));
-}
-
-class FastSubscription : public Subscription, private dds::DataReaderListener {
- public:
-  FastSubscription(dds::Subscriber& subscriber, dds::Topic& topic, const Delivery& delivery,
-                   std::function<void()> on_message)
-      : subscriber_(subscriber), on_message_(std::move(on_message)) {
-    dds::DataReaderQos qos = subscriber.get_default_datareader_qos();
-    set_delivery(delivery, qos);
-    qos.reliable_reader_qos().times.heartbeatResponseDelay = {0, 0};  // who waits for us shall not wait longer
-    reader_ = subscriber.create_datareader(&topic, qos, this, dds::StatusMask::all());
-    if (reader_ == nullptr) throw Error(topic.get_name(), "cannot be subscribed to", kNetworkHint);
-  }
-  ~FastSubscription() override {
-    reader_->set_listener(nullptr);
-    subscriber_.delete_datareader(reader_);
-  }
-
-  std::optional<std::vector<std::uint8_t>> take() override {
-    std::vector<std::uint8_t> bytes;
-    dds::SampleInfo info;
-    while (reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) return bytes;  // else the publisher said that it goes
-    }
-    return std::nullopt;
-  }
-  int publishers() const override { return publishers_; }
-  int lost() const override { return lost_; }
-  std::string incompatibility() const override {
-    const std::lock_guard lock(mutex_);
-    return incompatibility_;
-  }
-
- private:
-  void on_data_available(dds::DataReader* /*reader*/) override {
-    if (on_message_) on_message_();
-  }
-  void on_subscription_matched(dds::DataReader* /*reader*/,
-                               const dds::SubscriptionMatchedStatus& status) override {
-    publishers_ = status.current_count;
-  }
-  void on_sample_lost(dds::DataReader* /*reader*/, const dds::SampleLostStatus& status) override {
-    lost_ = status.total_count;
-  }
-  void on_requested_incompatible_qos(dds::DataReader* /*reader*/,
-                                     const dds::RequestedIncompatibleQosStatus& status) override {
-    const std::lock_guard lock(mutex_);
-    incompatibility_ = policy_name(status.last_policy_id);
-  }
-
-  dds::Subscriber& subscriber_;
-  std::function<void()> on_message_;
-  std::atomic<int> publishers_ = 0, lost_ = 0;
-  mutable std::mutex mutex_;
-  std::string incompatibility_;
-  dds::DataReader* reader_ = nullptr;  ///< of the subscriber
-};
-
-class FastPublication : public Publication, private dds::DataWriterListener {
- public:
-  FastPublication(dds::Publisher& publisher, dds::Topic& topic, const Delivery& delivery)
-      : publisher_(publisher) {
-    dds::DataWriterQos qos = publisher.get_default_datawriter_qos();
-    set_delivery(delivery, qos);
-    qos.publish_mode().kind =
-        delivery.large ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
-    writer_ = publisher.create_datawriter(&topic, qos, this, dds::StatusMask::all());
-    if (writer_ == nullptr) throw Error(topic.get_name(), "cannot be published", kNetworkHint);
-  }
-  ~FastPublication() override {
-    writer_->set_listener(nullptr);
-    publisher_.delete_datawriter(writer_);
-  }
-
-  bool publish(Bytes message) override {
-    sample_.assign(message.begin(), message.end());
-    return writer_->write(&sample_);
-  }
-  int subscribers() const override { return subscribers_; }
-
- private:
-  void on_publication_matched(dds::DataWriter* /*writer*/,
-                              const dds::PublicationMatchedStatus& status) override {
-    subscribers_ = status.current_count;
-  }
-
-  dds::Publisher& publisher_;
-  std::vector<std::uint8_t> sample_;
-  std::atomic<int> subscribers_ = 0;
-  dds::DataWriter* writer_ = nullptr;  ///< of the publisher
-};
 
 dds::DomainParticipantQos participant_qos(const NodeOptions& options) {
   constexpr std::uint32_t kBuffer = 8U << 20U;  // the system may give less (net.core.rmem_max)
+  constexpr std::uint32_t kParticipants =
+      32;  // of one machine and domain that find each other without multicast
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->receiveBufferSize = kBuffer;
   udp->sendBufferSize = kBuffer;
+  udp->maxInitialPeersRange = kParticipants;
   dds::DomainParticipantQos qos;
   qos.name("stdc_slam");
   if (options.localhost_only) {
@@ -248,14 +130,13 @@ Node::~Node() = default;
 
 std::unique_ptr<Subscription> Node::subscribe(const std::string& topic, const std::string& type,
                                               const Delivery& delivery, std::function<void()> on_message) {
-  return std::make_unique<FastSubscription>(participant_->subscriber(), participant_->topic(topic, type),
-                                            delivery, std::move(on_message));
+  return make_subscription(participant_->subscriber(), participant_->topic(topic, type), delivery,
+                           std::move(on_message));
 }
 
 std::unique_ptr<Publication> Node::advertise(const std::string& topic, const std::string& type,
                                              const Delivery& delivery) {
-  return std::make_unique<FastPublication>(participant_->publisher(), participant_->topic(topic, type),
-                                           delivery);
+  return make_publication(participant_->publisher(), participant_->topic(topic, type), delivery);
 }
 
 std::vector<PublishedTopic> Node::published() const { return participant_->published(); }

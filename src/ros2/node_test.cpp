@@ -19,7 +19,8 @@ TEST(Node, MessagesArriveAsTheBytesThatWereSent) {
   std::atomic<int> calls = 0;
   const auto subscription =
       receiver.subscribe("/numbers", "std_msgs/msg/UInt32", {.reliable = true, .depth = 0}, [&] { ++calls; });
-  const auto publication = sender.advertise("/numbers", "std_msgs/msg/UInt32", {.reliable = true, .depth = 0});
+  const auto publication =
+      sender.advertise("/numbers", "std_msgs/msg/UInt32", {.reliable = true, .depth = 0});
   ASSERT_TRUE(eventually([&] { return publication->subscribers() == 1 && subscription->publishers() == 1; }));
   std::vector<std::uint8_t> large(300'000, 9);
   large[1] = 1;

@@ -19,9 +19,8 @@ const char* request_name(Request request) {
 Requests::Requests(Node& node, const std::string& prefix) {
   for (const Request request : kRequests) {
     const auto index = static_cast<std::size_t>(request);
-    subscriptions_[index] =
-        node.subscribe(prefix + "/" + request_name(request), "std_msgs/msg/Empty", {.depth = 1},
-                       [this, index] { came_[index] = true; });
+    subscriptions_[index] = node.subscribe(prefix + "/" + request_name(request), "std_msgs/msg/Empty",
+                                           {.depth = 1}, [this, index] { came_[index] = true; });
   }
 }
 

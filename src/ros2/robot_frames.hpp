@@ -9,9 +9,10 @@ namespace stdc::ros2 {
 
 /// Where a robot is, in the frames of REP 105: map -> odom -> base.
 struct RobotPose {
-  Pose map_from_odom;    ///< takes the jumps: of loops, of finding back, of another map
-  Pose odom_from_base;   ///< smooth: what the robot moved, summed up
-  Matrix6d covariance;   ///< of odom_from_base against the map around it, (translation, rotation) in odom's axes
+  Pose map_from_odom;   ///< takes the jumps: of loops, of finding back, of another map
+  Pose odom_from_base;  ///< smooth: what the robot moved, summed up
+  Matrix6d
+      covariance;  ///< of odom_from_base against the map around it, (translation, rotation) in odom's axes
   Vector6d velocity = Vector6d::Zero();  ///< of the base in its own axes [m/s, rad/s]
   Matrix6d velocity_covariance;          ///< in the same axes
 };
@@ -30,8 +31,8 @@ struct LocatedFrame {
 /// Turns poses of a camera in a map that may be corrected into those of a robot in ROS's frames. Source: REP
 /// 105 (map, odom, base_link), REP 103 (x forward, z up).
 ///
-/// The map's frame is where the base stood when the map began. While the camera is not located the base rests in
-/// odom; where it really went meanwhile is in map_from_odom afterwards.
+/// The map's frame is where the base stood when the map began. While the camera is not located the base rests
+/// in odom; where it really went meanwhile is in map_from_odom afterwards.
 class RobotFrames {
  public:
   /// @param base_from_cam  how the camera is mounted

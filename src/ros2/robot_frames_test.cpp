@@ -14,9 +14,7 @@ LocatedFrame located(double time, const Pose& world_from_cam, std::uint32_t map 
   return frame;
 }
 
-Pose moved(double x, double y, double z, double yaw = 0) {
-  return {rotation_exp({0, yaw, 0}), {x, y, z}};
-}
+Pose moved(double x, double y, double z, double yaw = 0) { return {rotation_exp({0, yaw, 0}), {x, y, z}}; }
 
 double distance(const Pose& a, const Pose& b) {
   return (a.translation - b.translation).norm() + a.rotation.angularDistance(b.rotation);
@@ -54,8 +52,9 @@ TEST(RobotFrames, ACorrectionOfTheMapMovesOdomAndNotTheBase) {
   const RobotPose pose = frames.advance(corrected);
   EXPECT_LT((pose.odom_from_base.translation - Eigen::Vector3d(2, 0, 0)).norm(), 1e-12);
   EXPECT_LT((pose.map_from_odom.translation - Eigen::Vector3d(0, -0.5, 0)).norm(), 1e-12);
-  EXPECT_LT(distance(pose.map_from_odom * pose.odom_from_base, frames.map_from_base(corrected.cam_from_world)),
-            1e-12);
+  EXPECT_LT(
+      distance(pose.map_from_odom * pose.odom_from_base, frames.map_from_base(corrected.cam_from_world)),
+      1e-12);
 }
 
 TEST(RobotFrames, WhatHappensWhileLostIsInMapFromOdom) {
@@ -87,9 +86,11 @@ TEST(RobotFrames, CovarianceIsThatOfThePerturbedPose) {
   for (int i = 0; i < 6; ++i) {
     Vector6d twist = Vector6d::Zero();
     twist[i] = 1e-6;
-    const Pose other = (base_from_cam * (Pose::exp(twist) * then.inverse()).inverse()) * base_from_cam.inverse();
+    const Pose other =
+        (base_from_cam * (Pose::exp(twist) * then.inverse()).inverse()) * base_from_cam.inverse();
     jacobian.col(i).head<3>() = (other.translation - pose.odom_from_base.translation) / 1e-6;
-    jacobian.col(i).tail<3>() = rotation_log(other.rotation * pose.odom_from_base.rotation.conjugate()) / 1e-6;
+    jacobian.col(i).tail<3>() =
+        rotation_log(other.rotation * pose.odom_from_base.rotation.conjugate()) / 1e-6;
   }
   const Matrix6d expected = jacobian * covariance * jacobian.transpose();
   EXPECT_LT((pose.covariance - expected).norm(), 1e-4 * expected.norm());

@@ -89,7 +89,8 @@ void Ros2Source::subscribe(const CameraTopics& topics) {
     const auto stream = static_cast<CameraStream>(i);
     Delivery delivery = image_delivery(options_.reception);
     if (stream == CameraStream::colour_info || stream == CameraStream::depth_info) delivery = kSensorData;
-    if (stream == CameraStream::transforms) delivery = {.reliable = true, .transient_local = true, .depth = 100};
+    if (stream == CameraStream::transforms)
+      delivery = {.reliable = true, .transient_local = true, .depth = 100};
     subscriptions_.emplace_back(stream, node_.subscribe(all[i].name, all[i].type, delivery, wake));
   }
 }
@@ -158,8 +159,7 @@ void Ros2Source::add_image(CameraStream stream, std::vector<std::uint8_t> data) 
   WaitingMessage waiting{header->stamp, std::make_shared<const std::vector<std::uint8_t>>(std::move(data))};
   colour ? pairing_->add_colour(std::move(waiting)) : pairing_->add_depth(std::move(waiting));
   hand_on_pairs();
-  while (has_room() &&
-         (pairing_->waiting() > kMaxWaiting || pairing_->waiting_bytes() > kMaxWaitingBytes)) {
+  while (has_room() && (pairing_->waiting() > kMaxWaiting || pairing_->waiting_bytes() > kMaxWaitingBytes)) {
     pairing_->give_way();
     hand_on_pairs();
   }
@@ -262,13 +262,13 @@ std::vector<std::string> Ros2Source::problems() const {
                         (stream == CameraStream::colour_info && !options_.camera_is_known);
     for (const PublishedTopic& other : published) {
       if (other.name != topic.name || other.type == topic.type) continue;
-      problems.push_back(fmt::format("{} is published as {}, not as {}: such messages are not read", topic.name,
-                                     other.type, topic.type));
+      problems.push_back(fmt::format("{} is published as {}, not as {}: such messages are not read",
+                                     topic.name, other.type, topic.type));
     }
     if (const std::string policy = subscription->incompatibility();
         !policy.empty() && subscription->publishers() == 0) {
-      problems.push_back(fmt::format(
-          "the publisher of {} offers another {}: give --reception best-effort", topic.name, policy));
+      problems.push_back(fmt::format("the publisher of {} offers another {}: give --reception best-effort",
+                                     topic.name, policy));
     } else if (needed && subscription->publishers() == 0) {
       problems.push_back(fmt::format("nobody publishes {} ({})", topic.name, topic.type));
     } else if ((stream == CameraStream::colour || stream == CameraStream::depth) &&

@@ -37,25 +37,25 @@ struct Ros2SourceOptions {
 
 /// What came so far.
 struct ReceptionCounts {
-  int colour = 0, depth = 0;    ///< messages
-  int lost = 0;                 ///< known to be lost on the way
-  int damaged = 0;              ///< messages that are not what their type says
-  int backwards = 0;            ///< with a stamp that is not later than the last one's
-  int restarts = 0;             ///< how often the stamps began anew, earlier
+  int colour = 0, depth = 0;  ///< messages
+  int lost = 0;               ///< known to be lost on the way
+  int damaged = 0;            ///< messages that are not what their type says
+  int backwards = 0;          ///< with a stamp that is not later than the last one's
+  int restarts = 0;           ///< how often the stamps began anew, earlier
   int colour_without_depth = 0;
-  int dropped = 0;              ///< frames that came too late
+  int dropped = 0;  ///< frames that came too late
 };
 
-/// The images of a running ROS 2 system as a source of frames. A thread takes the messages and pairs colour and
-/// depth by their stamps; few frames wait, the oldest goes.
+/// The images of a running ROS 2 system as a source of frames. A thread takes the messages and pairs colour
+/// and depth by their stamps; few frames wait, the oldest goes.
 class Ros2Source : public FrameSource {
  public:
   /// `node` must outlive the source. Throws Error for names that are none.
   Ros2Source(Node& node, const Ros2SourceOptions& options);
   ~Ros2Source() override;
 
-  /// Waits until images came and the cameras are known. False if that is not so after `patience`. Throws Error
-  /// for a camera info that makes no sense, or images that are none of colour and depth.
+  /// Waits until images came and the cameras are known. False if that is not so after `patience`. Throws
+  /// Error for a camera info that makes no sense, or images that are none of colour and depth.
   bool wait_for_cameras(std::chrono::milliseconds patience);
 
   std::optional<SourceFrame> next() override;
@@ -75,8 +75,8 @@ class Ros2Source : public FrameSource {
   int colour_without_depth() const override { return counts().colour_without_depth; }
 
   ReceptionCounts counts() const;
-  /// Why no images come, in words with the remedy: nobody publishes, another type, another quality of service,
-  /// no camera info. Empty: nothing is wrong.
+  /// Why no images come, in words with the remedy: nobody publishes, another type, another quality of
+  /// service, no camera info. Empty: nothing is wrong.
   std::vector<std::string> problems() const;
   /// The frame that the images say they are in.
   std::string image_frame() const;

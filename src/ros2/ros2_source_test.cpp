@@ -11,7 +11,7 @@ namespace stdc::ros2 {
 namespace {
 
 constexpr std::int64_t kStart = 1'700'000'000'000'000'000, kPeriod = 33'000'000;
-constexpr int kWidth = 64, kHeight = 48;
+constexpr int kWidth = 96, kHeight = 72;
 
 /// A camera in a node of its own, which says what it is told to.
 class TestCamera {
@@ -34,7 +34,7 @@ class TestCamera {
   void send_info(Style style = Style::cdr_little) {
     Camera camera;
     camera.width = kWidth, camera.height = kHeight;
-    camera.fx = camera.fy = 60, camera.cx = 31.5, camera.cy = 23.5;
+    camera.fx = camera.fy = 60, camera.cx = 47.5, camera.cy = 35.5;
     info_->publish(test::camera_info_message(style, "optical", camera, "plumb_bob", {0, 0, 0, 0, 0}).bytes());
   }
   void send_colour(std::int64_t stamp, Style style = Style::cdr_little) {
@@ -82,7 +82,7 @@ class Ros2SourceTest : public ::testing::Test {
 TEST_F(Ros2SourceTest, GivesAllFramesInOrderWithTheCameraOfTheInfo) {
   open();
   camera_.send_info();
-  std::thread sending([&] { camera_.send_frames(0, 60); });
+  std::jthread sending([&] { camera_.send_frames(0, 60); });
   wait_for_cameras();
   ASSERT_TRUE(source_->cameras().has_value());
   EXPECT_EQ(source_->cameras()->colour.fx, 60);

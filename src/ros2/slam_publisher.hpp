@@ -13,7 +13,7 @@ namespace stdc::ros2 {
 
 /// Names of what is published.
 struct PublisherNames {
-  std::string prefix = "/stdc_slam";  ///< of our own topics
+  std::string prefix = "/stdc_slam";                           ///< of our own topics
   std::string map = "map", odom = "odom", base = "base_link";  ///< frames
 };
 
@@ -41,7 +41,8 @@ class SlamPublisher {
 
  private:
   PublisherNames names_;
-  std::unique_ptr<Publication> odometry_, tf_, tf_static_, path_, landmarks_, mask_, debug_image_, diagnostics_;
+  std::unique_ptr<Publication> odometry_, tf_, tf_static_, path_, landmarks_, mask_, debug_image_,
+      diagnostics_;
 };
 
 }  // namespace stdc::ros2

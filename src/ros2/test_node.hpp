@@ -12,7 +12,9 @@
 namespace stdc::ros2 {
 
 /// Loopback only, in a domain that hardly another test has.
-inline NodeOptions test_domain() { return {.domain = 1 + static_cast<int>(getpid() % 99), .localhost_only = true}; }
+inline NodeOptions test_domain() {
+  return {.domain = 1 + static_cast<int>(getpid() % 99), .localhost_only = true};
+}
 
 /// Waits for what will happen, however slow the machine is.
 inline bool eventually(const std::function<bool()>& condition) {

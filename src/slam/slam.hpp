@@ -65,7 +65,8 @@ class Slam {
   /// With `system.localisation_only` there are none: those of the results are final, and a session may be
   /// long.
   std::vector<FramePose> trajectory() const;
-  /// The last `count` of these, without going through all: where the latest frames are in the map as it is now.
+  /// The last `count` of these, without going through all: where the latest frames are in the map as it is
+  /// now.
   std::vector<FramePose> latest_poses(int count) const;
   /// trajectory() of the keyframes that this session has made.
   std::vector<FramePose> keyframe_trajectory() const;

@@ -1,7 +1,8 @@
-// A driver for OpenNI 2 that plays a film, for tests: Debian's unmodified library loads it and takes it for a camera.
+// A driver for OpenNI 2 that plays a film, for tests: Debian's unmodified library loads it and takes it for a
+// camera.
 //
-// The film is the file that STDC_FILM names: four int32 (width, height, frames, milliseconds a frame), then of each frame
-// the colours (RGB, 8 bits) and the depths (16 bits, millimetres). It is played over and over.
+// The film is the file that STDC_FILM names: four int32 (width, height, frames, milliseconds a frame), then
+// of each frame the colours (RGB, 8 bits) and the depths (16 bits, millimetres). It is played over and over.
 #define XN_NEW(type, argument) new type(argument)
 #define XN_DELETE(pointer) delete (pointer)
 #include <Driver/OniDriverAPI.h>
@@ -24,7 +25,9 @@ struct Film {
   std::vector<char> images;
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-  const char* colour(int frame) const { return images.data() + static_cast<std::size_t>(frame) * pixels() * 5; }
+  const char* colour(int frame) const {
+    return images.data() + static_cast<std::size_t>(frame) * pixels() * 5;
+  }
   const char* depth(int frame) const { return colour(frame) + pixels() * 3; }
 };
 
@@ -41,8 +44,8 @@ Film read_film() {
 class FilmStream : public oni::driver::StreamBase {
  public:
   FilmStream(const Film& film, OniSensorType type) : film_(film), type_(type) {
-    mode_ = {type == ONI_SENSOR_COLOR ? ONI_PIXEL_FORMAT_RGB888 : ONI_PIXEL_FORMAT_DEPTH_1_MM, film.width, film.height,
-             30};
+    mode_ = {type == ONI_SENSOR_COLOR ? ONI_PIXEL_FORMAT_RGB888 : ONI_PIXEL_FORMAT_DEPTH_1_MM, film.width,
+             film.height, 30};
   }
 
   OniStatus start() override {
@@ -54,12 +57,14 @@ class FilmStream : public oni::driver::StreamBase {
 
   OniBool isPropertySupported(int property) override { return property == ONI_STREAM_PROPERTY_VIDEO_MODE; }
   OniStatus getProperty(int property, void* data, int* size) override {
-    if (property != ONI_STREAM_PROPERTY_VIDEO_MODE || *size != sizeof(OniVideoMode)) return ONI_STATUS_NOT_SUPPORTED;
+    if (property != ONI_STREAM_PROPERTY_VIDEO_MODE || *size != sizeof(OniVideoMode))
+      return ONI_STATUS_NOT_SUPPORTED;
     std::memcpy(data, &mode_, sizeof(mode_));
     return ONI_STATUS_OK;
   }
   OniStatus setProperty(int property, const void* data, int size) override {
-    if (property != ONI_STREAM_PROPERTY_VIDEO_MODE || size != sizeof(OniVideoMode)) return ONI_STATUS_NOT_SUPPORTED;
+    if (property != ONI_STREAM_PROPERTY_VIDEO_MODE || size != sizeof(OniVideoMode))
+      return ONI_STATUS_NOT_SUPPORTED;
     return std::memcmp(data, &mode_, sizeof(mode_)) == 0 ? ONI_STATUS_OK : ONI_STATUS_NOT_SUPPORTED;
   }
 
@@ -121,7 +126,9 @@ class FilmDevice : public oni::driver::DeviceBase {
     delete stream;
   }
   OniBool isImageRegistrationModeSupported(OniImageRegistrationMode) override { return TRUE; }
-  OniBool isPropertySupported(int property) override { return property == ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION; }
+  OniBool isPropertySupported(int property) override {
+    return property == ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION;
+  }
   OniStatus setProperty(int property, const void*, int) override {
     return property == ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION ? ONI_STATUS_OK : ONI_STATUS_NOT_SUPPORTED;
   }

@@ -14,13 +14,15 @@ void wait_for_reader(dds_entity_t writer) {
   const Clock::time_point start = Clock::now();
   dds_publication_matched_status_t status;
   while (seconds_since(start) < 20) {
-    if (dds_get_publication_matched_status(writer, &status) == DDS_RETCODE_OK && status.current_count > 0) return;
+    if (dds_get_publication_matched_status(writer, &status) == DDS_RETCODE_OK && status.current_count > 0)
+      return;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
 /// An image whose fields promise more bytes than it has, or the other way round, at some rate.
-void send_images(dds_entity_t writer, int count, double rate, bool truncated, std::uint32_t width, std::uint32_t height) {
+void send_images(dds_entity_t writer, int count, double rate, bool truncated, std::uint32_t width,
+                 std::uint32_t height) {
   std::vector<std::uint8_t> pixels(truncated ? 100 : std::size_t{3} * width * height, 77);
   std::string frame = "camera_color_optical_frame", encoding = "rgb8";
   const Clock::time_point start = Clock::now();
@@ -28,7 +30,8 @@ void send_images(dds_entity_t writer, int count, double rate, bool truncated, st
     sensor_msgs_msg_dds__Image_ message = {};
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
-    message.header_.stamp_ = {static_cast<std::int32_t>(ns / 1'000'000'000), static_cast<std::uint32_t>(ns % 1'000'000'000)};
+    message.header_.stamp_ = {static_cast<std::int32_t>(ns / 1'000'000'000),
+                              static_cast<std::uint32_t>(ns % 1'000'000'000)};
     message.header_.frame_id_ = frame.data();
     message.height_ = height, message.width_ = width;
     message.encoding_ = encoding.data();
@@ -36,7 +39,8 @@ void send_images(dds_entity_t writer, int count, double rate, bool truncated, st
     const auto size = static_cast<std::uint32_t>(pixels.size());
     message.data_ = {size, size, pixels.data(), false};
     check(dds_write(writer, &message), "image");
-    std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((i + 1) / rate)));
+    std::this_thread::sleep_until(
+        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((i + 1) / rate)));
   }
 }
 

@@ -29,14 +29,18 @@ void take_all(dds_entity_t reader, const Use& use) {
 }  // namespace
 
 Listener::Listener(const Participant& participant)
-    : odometry_(participant.reader(nav_msgs_msg_dds__Odometry__desc, "/stdc_slam/odometry", {true, false, 0})),
+    : odometry_(
+          participant.reader(nav_msgs_msg_dds__Odometry__desc, "/stdc_slam/odometry", {true, false, 0})),
       tf_(participant.reader(tf2_msgs_msg_dds__TFMessage__desc, "/tf", {true, false, 0})),
-      diagnostics_(
-          participant.reader(diagnostic_msgs_msg_dds__DiagnosticArray__desc, "/diagnostics", {true, false, 10})),
+      diagnostics_(participant.reader(diagnostic_msgs_msg_dds__DiagnosticArray__desc, "/diagnostics",
+                                      {true, false, 10})),
       path_(participant.reader(nav_msgs_msg_dds__Path__desc, "/stdc_slam/path", {true, false, 1})),
-      landmarks_(participant.reader(sensor_msgs_msg_dds__PointCloud2__desc, "/stdc_slam/landmarks", {true, false, 1})),
-      mask_(participant.reader(sensor_msgs_msg_dds__Image__desc, "/stdc_slam/dynamic_mask", {false, false, 5})),
-      debug_(participant.reader(sensor_msgs_msg_dds__Image__desc, "/stdc_slam/debug_image", {false, false, 5})),
+      landmarks_(participant.reader(sensor_msgs_msg_dds__PointCloud2__desc, "/stdc_slam/landmarks",
+                                    {true, false, 1})),
+      mask_(
+          participant.reader(sensor_msgs_msg_dds__Image__desc, "/stdc_slam/dynamic_mask", {false, false, 5})),
+      debug_(
+          participant.reader(sensor_msgs_msg_dds__Image__desc, "/stdc_slam/debug_image", {false, false, 5})),
       thread_([this] { work(); }) {}
 
 Listener::~Listener() {
@@ -62,8 +66,8 @@ void Listener::take_odometry() {
     const std::int64_t stamp = stamp_of(message.header_.stamp_);
     std::string covariance;
     for (int i = 0; i < 6; ++i) covariance += fmt::format(" {:.6g}", message.pose_.covariance_[7 * i]);
-    odometry_lines_ += fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}{} {} {}\n", stamp,
-                                   p.position_.x_, p.position_.y_, p.position_.z_, p.orientation_.x_,
+    odometry_lines_ += fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}{} {} {}\n",
+                                   stamp, p.position_.x_, p.position_.y_, p.position_.z_, p.orientation_.x_,
                                    p.orientation_.y_, p.orientation_.z_, p.orientation_.w_, covariance,
                                    message.header_.frame_id_, message.child_frame_id_);
     last_stamp_ = stamp;
@@ -79,8 +83,8 @@ void Listener::take_transforms() {
       const auto& x = t.transform_.translation_;
       const auto& q = t.transform_.rotation_;
       tf_lines_ += fmt::format("{} {} {} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n",
-                               stamp_of(t.header_.stamp_), t.header_.frame_id_, t.child_frame_id_, x.x_, x.y_, x.z_,
-                               q.x_, q.y_, q.z_, q.w_);
+                               stamp_of(t.header_.stamp_), t.header_.frame_id_, t.child_frame_id_, x.x_, x.y_,
+                               x.z_, q.x_, q.y_, q.z_, q.w_);
     }
   });
 }
@@ -90,7 +94,8 @@ void Listener::take_diagnostics() {
     const std::lock_guard lock(mutex_);
     for (std::uint32_t i = 0; i < message.status_._length; ++i) {
       const auto& status = message.status_._buffer[i];
-      diagnostics_lines_ += fmt::format("{} {}: {};", static_cast<int>(status.level_), status.name_, status.message_);
+      diagnostics_lines_ +=
+          fmt::format("{} {}: {};", static_cast<int>(status.level_), status.name_, status.message_);
       for (std::uint32_t k = 0; k < status.values_._length; ++k) {
         diagnostics_lines_ +=
             fmt::format(" {}={};", status.values_._buffer[k].key_, status.values_._buffer[k].value_);
@@ -133,7 +138,8 @@ std::int64_t Listener::last_stamp() const {
 
 bool Listener::connected() const {
   dds_subscription_matched_status_t status;
-  return dds_get_subscription_matched_status(odometry_, &status) == DDS_RETCODE_OK && status.current_count > 0;
+  return dds_get_subscription_matched_status(odometry_, &status) == DDS_RETCODE_OK &&
+         status.current_count > 0;
 }
 
 std::string Listener::odometry() const {
@@ -153,8 +159,9 @@ std::string Listener::diagnostics() const {
 
 std::string Listener::counts() const {
   const std::lock_guard lock(mutex_);
-  return fmt::format("paths {} (last of {} poses), landmarks {} (last of {} points), masks {}, debug images {}", paths_,
-                     poses_in_path_, clouds_, points_, masks_, debug_images_);
+  return fmt::format(
+      "paths {} (last of {} poses), landmarks {} (last of {} points), masks {}, debug images {}", paths_,
+      poses_in_path_, clouds_, points_, masks_, debug_images_);
 }
 
 std::map<std::int64_t, Clock::time_point> Listener::arrivals() const {

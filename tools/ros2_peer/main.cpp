@@ -1,5 +1,6 @@
-// ros2_peer: the other side of a ROS 2 system, for tests and measurements of `stdc-slam ros2`. Built on Cyclone DDS, with
-// messages from Debian's ros-*-msgs packages: neither library nor message definitions are shared with what it tests.
+// ros2_peer: the other side of a ROS 2 system, for tests and measurements of `stdc-slam ros2`. Built on
+// Cyclone DDS, with messages from Debian's ros-*-msgs packages: neither library nor message definitions are
+// shared with what it tests.
 //
 //   ros2_peer play FOLDER [options]   plays a sequence, listens to what comes back
 //   ros2_peer evil TOPIC KIND         sends what no camera sends: wrong-type, lying-type, truncated, flood

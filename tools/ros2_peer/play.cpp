@@ -20,7 +20,8 @@ constexpr double kPatience = 120;  // [s], for whatever the other side has to do
 char* text_of(std::string& text) { return text.data(); }
 
 builtin_interfaces_msg_dds__Time_ time_of(std::int64_t stamp) {
-  return {static_cast<std::int32_t>(stamp / 1'000'000'000), static_cast<std::uint32_t>(stamp % 1'000'000'000)};
+  return {static_cast<std::int32_t>(stamp / 1'000'000'000),
+          static_cast<std::uint32_t>(stamp % 1'000'000'000)};
 }
 
 /// Publishes colour, depth, camera info and the static transform of one camera.
@@ -31,12 +32,13 @@ class Camera {
     const Service service{!has(words, "--best-effort"), false, has(words, "--lossless") ? 0 : 5};
     const std::string name = value_of(words, "--camera", "/camera");
     colour_ = participant.writer(sensor_msgs_msg_dds__Image__desc, name + "/color/image_raw", service);
-    depth_ = participant.writer(sensor_msgs_msg_dds__Image__desc,
-                                name + (has(words, "--raw-depth") ? "/depth/image_raw"
-                                                                  : "/aligned_depth_to_color/image_raw"),
-                                service);
+    depth_ = participant.writer(
+        sensor_msgs_msg_dds__Image__desc,
+        name + (has(words, "--raw-depth") ? "/depth/image_raw" : "/aligned_depth_to_color/image_raw"),
+        service);
     info_ = participant.writer(sensor_msgs_msg_dds__CameraInfo__desc, name + "/color/camera_info", service);
-    depth_info_ = participant.writer(sensor_msgs_msg_dds__CameraInfo__desc, name + "/depth/camera_info", service);
+    depth_info_ =
+        participant.writer(sensor_msgs_msg_dds__CameraInfo__desc, name + "/depth/camera_info", service);
     static_ = participant.writer(tf2_msgs_msg_dds__TFMessage__desc, "/tf_static", {true, true, 1});
     separate_depth_ = has(words, "--raw-depth");
   }
@@ -69,8 +71,8 @@ class Camera {
   }
 
  private:
-  static void set(geometry_msgs_msg_dds__TransformStamped_& transform, std::string& parent, std::string& child,
-                  const std::array<double, 3>& t, const std::array<double, 4>& q) {
+  static void set(geometry_msgs_msg_dds__TransformStamped_& transform, std::string& parent,
+                  std::string& child, const std::array<double, 3>& t, const std::array<double, 4>& q) {
     transform.header_.frame_id_ = text_of(parent);
     transform.child_frame_id_ = text_of(child);
     transform.transform_.translation_ = {t[0], t[1], t[2]};
@@ -101,10 +103,12 @@ class Camera {
     message.distortion_model_ = text_of(plumb_bob_);
     double d[5] = {camera.k1, camera.k2, camera.p1, camera.p2, camera.k3};
     message.D_ = {5, 5, d, false};
-    message.K_[0] = camera.fx, message.K_[2] = camera.cx, message.K_[4] = camera.fy, message.K_[5] = camera.cy;
+    message.K_[0] = camera.fx, message.K_[2] = camera.cx, message.K_[4] = camera.fy,
+    message.K_[5] = camera.cy;
     message.K_[8] = 1;
     message.R_[0] = message.R_[4] = message.R_[8] = 1;
-    message.P_[0] = camera.fx, message.P_[2] = camera.cx, message.P_[5] = camera.fy, message.P_[6] = camera.cy;
+    message.P_[0] = camera.fx, message.P_[2] = camera.cx, message.P_[5] = camera.fy,
+    message.P_[6] = camera.cy;
     message.P_[10] = 1;
     check(dds_write(writer, &message), "camera info");
   }
@@ -146,7 +150,8 @@ void send_all(const PlayedImages& images, double rate, std::int64_t shift, Camer
   double due = 0;
   for (const PlayedImages::Frame& frame : images.frames) {
     if (rate > 0) {
-      std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)));
+      std::this_thread::sleep_until(
+          start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(due)));
       due += 1 / rate;
     }
     const bool colour_first = frame.colour_stamp <= frame.depth_stamp;
@@ -166,10 +171,13 @@ void report(const Listener& listener, const Sent& sent, double seconds) {
   }
   std::sort(latencies.begin(), latencies.end());
   const auto quantile = [&](double share) {
-    return latencies.empty() ? 0.0 : latencies[static_cast<std::size_t>(share * static_cast<double>(latencies.size() - 1))];
+    return latencies.empty()
+               ? 0.0
+               : latencies[static_cast<std::size_t>(share * static_cast<double>(latencies.size() - 1))];
   };
-  fmt::print("sent {} frames in {:.2f} s, odometry of {}; latency p50 {:.1f} p95 {:.1f} p99 {:.1f} max {:.1f} ms\n",
-             sent.size(), seconds, latencies.size(), quantile(0.5), quantile(0.95), quantile(0.99), quantile(1));
+  fmt::print(
+      "sent {} frames in {:.2f} s, odometry of {}; latency p50 {:.1f} p95 {:.1f} p99 {:.1f} max {:.1f} ms\n",
+      sent.size(), seconds, latencies.size(), quantile(0.5), quantile(0.95), quantile(0.99), quantile(1));
   fmt::print("{}\n", listener.counts());
 }
 
@@ -181,9 +189,9 @@ void write(const std::string& path, const std::string& text) {
 
 int play(const std::vector<std::string>& words) {
   const std::string size = value_of(words, "--size", "0x0");
-  const PlayedImages as_they_are = read_images(
-      words[1], std::stoi(value_of(words, "--frames", "0")),
-      {std::stoi(size.substr(0, size.find('x'))), std::stoi(size.substr(size.find('x') + 1))});
+  const PlayedImages as_they_are =
+      read_images(words[1], std::stoi(value_of(words, "--frames", "0")),
+                  {std::stoi(size.substr(0, size.find('x'))), std::stoi(size.substr(size.find('x') + 1))});
   const PlayedImages images = has(words, "--millimetres") ? in_millimetres(as_they_are) : as_they_are;
   const Participant participant(domain());
   Camera camera(participant, words, images);
@@ -196,7 +204,8 @@ int play(const std::vector<std::string>& words) {
   const double rate = std::stod(value_of(words, "--rate", "0"));
   const int loops = std::stoi(value_of(words, "--loops", "1"));
   const std::int64_t shift = std::stoll(value_of(words, "--shift", "0")) * 1'000'000'000;
-  const std::int64_t length = images.frames.back().colour_stamp - images.frames.front().colour_stamp + 33'000'000;
+  const std::int64_t length =
+      images.frames.back().colour_stamp - images.frames.front().colour_stamp + 33'000'000;
   Sent sent;
   const Clock::time_point start = Clock::now();
   for (int i = 0; i < loops; ++i) send_all(images, rate, shift + i * length, camera, sent);
@@ -206,7 +215,8 @@ int play(const std::vector<std::string>& words) {
   // The last frame may wait for a depth image that is nearer.
   const int awaited = std::stoi(value_of(words, "--await", "0"));
   const bool all = wait_until(
-      [&] { return awaited > 0 ? listener.odometry_count() >= awaited : listener.last_stamp() >= last; }, patience);
+      [&] { return awaited > 0 ? listener.odometry_count() >= awaited : listener.last_stamp() >= last; },
+      patience);
   // Diagnostics and what comes once a second.
   std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(value_of(words, "--linger", "0"))));
   report(listener, sent, seconds);

@@ -75,7 +75,8 @@ void add_record_command(Command program) {
   command.callback([options] {
     const SourceKind* kind = recognise_source(options->input.path);
     if (kind == nullptr || !kind->is_live) {
-      throw Error(options->input.path.string(), "is no live camera", "give openni2:, or use convert for a recording");
+      throw Error(options->input.path.string(), "is no live camera",
+                  "give openni2:, or use convert for a recording");
     }
     record(*options);
   });

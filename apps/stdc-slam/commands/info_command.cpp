@@ -5,6 +5,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/input_options.hpp"
+#include "core/error.hpp"
 #include "input/camera_file.hpp"
 #include "report/info_report.hpp"
 #include "run/progress.hpp"
@@ -20,6 +21,10 @@ struct Options {
 
 void show_info(const Options& options) {
   const auto source = open_source(options.input.path, options.input.source);
+  if (source->is_live()) {
+    throw Error(source->where(), "is a live camera, which has no end to look at",
+                "record it first: stdc-slam record");
+  }
   std::optional<RgbdCameras> cameras;
   if (options.input.camera) cameras = read_cameras(*options.input.camera);
   InputSurvey survey;

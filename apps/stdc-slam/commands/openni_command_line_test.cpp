@@ -1,5 +1,6 @@
-// Cameras of OpenNI 2: a driver of the tests' own (tools/openni_film) plays rendered frames through Debian's unmodified
-// library. Frames may be dropped on a slow machine: then they are counted.
+// Cameras of OpenNI 2: a driver of the tests' own (tools/openni_film) plays rendered frames through Debian's
+// unmodified library. Frames may be dropped on a slow machine: then they are counted.
+#include <cmath>
 #include <cstring>
 
 #include "commands/test_command_line.hpp"
@@ -47,11 +48,12 @@ class OpenNiCommandLine : public CommandLine {
 #else
     const char* camera = "";
 #endif
-    folder_.write("script", fmt::format("export STDC_FILM=film LD_LIBRARY_PATH={} SLAM={}\n{}", camera, STDC_PROGRAM,
-                                        script));
+    folder_.write("script", fmt::format("export STDC_FILM=film LD_LIBRARY_PATH={} SLAM={}\n{}", camera,
+                                        STDC_PROGRAM, script));
     const int status =
         std::system(fmt::format("cd {} && sh ./script > .out 2> .err", folder_.path().string()).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"), content(folder_ / ".err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"),
+            content(folder_ / ".err")};
   }
 };
 
@@ -69,8 +71,10 @@ TEST_F(OpenNiCommandLine, RecordingHoldsWhatTheCameraShowed) {
   int compared = 0;
   while (const auto frame = recorded->next()) {
     const RgbdImage image = recorded_images.decode(*frame, ColourMode::as_stored);
-    const auto index = static_cast<std::size_t>(std::lround(frame->timestamp / 0.033333) - 1) % originals.size();
-    EXPECT_EQ(std::memcmp(image.colour.data, originals[index].colour.data, image.colour.total() * 3), 0) << index;
+    const auto index =
+        static_cast<std::size_t>(std::lround(frame->timestamp / 0.033333) - 1) % originals.size();
+    EXPECT_EQ(std::memcmp(image.colour.data, originals[index].colour.data, image.colour.total() * 3), 0)
+        << index;
     EXPECT_EQ(image.depth.at<std::uint16_t>(100, 100), 2000);
     ++compared;
   }

@@ -38,18 +38,24 @@ Examples:
   ros2 topic pub --once /stdc_slam/save_map std_msgs/msg/Empty)";
 
 void add_topics(Command command, Ros2Options& options) {
-  command.add_option("--color", options.topics.colour, "Topic of the colour images").type_name("TOPIC").required();
-  command.add_option("--depth", options.topics.depth, "Topic of the depth images").type_name("TOPIC").required();
+  command.add_option("--color", options.topics.colour, "Topic of the colour images")
+      .type_name("TOPIC")
+      .required();
+  command.add_option("--depth", options.topics.depth, "Topic of the depth images")
+      .type_name("TOPIC")
+      .required();
   command
       .add_option("--info", options.topics.colour_info,
                   "Topic of the colour camera's calibration; default: camera_info beside the images")
       .type_name("TOPIC");
-  command.add_option("--depth-info", options.topics.depth_info, "The same of the depth camera").type_name("TOPIC");
+  command.add_option("--depth-info", options.topics.depth_info, "The same of the depth camera")
+      .type_name("TOPIC");
   command.add_option("--camera", options.camera, "Camera file; goes before what camera_info says");
   command
-      .add_option("--reception", options.reception,
-                  "How images are received: best-effort (ROS 2's sensor data), reliable (lost ones are sent again), "
-                  "every-frame (reliable, and a publisher that keeps all waits for us)")
+      .add_option(
+          "--reception", options.reception,
+          "How images are received: best-effort (ROS 2's sensor data), reliable (lost ones are sent again), "
+          "every-frame (reliable, and a publisher that keeps all waits for us)")
       .one_of({"best-effort", "reliable", "every-frame"})
       .capture_default_str();
   command
@@ -63,7 +69,8 @@ void add_names(Command command, Ros2Options& options) {
   command.add_option("--base-frame", options.names.base, "Frame of the robot's base").capture_default_str();
   command.add_option("--odom-frame", options.names.odom, "Frame of odometry").capture_default_str();
   command.add_option("--map-frame", options.names.map, "Frame of the map").capture_default_str();
-  command.add_option("--prefix", options.names.prefix, "Prefix of the topics of its own").capture_default_str();
+  command.add_option("--prefix", options.names.prefix, "Prefix of the topics of its own")
+      .capture_default_str();
 }
 
 }  // namespace
@@ -82,7 +89,8 @@ void add_ros2_command(Command program) {
                    "Only find the camera in the loaded map, and leave that as it is");
   command.add_option("--output,-o", options->output,
                      "Folder for trajectory.txt, keyframes.txt and frames.csv, written at the end");
-  command.add_option("--frames", options->frames, "Only frames A to B-1, counted from 0; then it ends").type_name("A:B");
+  command.add_option("--frames", options->frames, "Only frames A to B-1, counted from 0; then it ends")
+      .type_name("A:B");
   command.add_flag("--dynamic-mask", options->publish_mask, "Publish the mask of what moves; costs latency");
   command.add_flag("--debug-image", options->publish_debug_image,
                    "Publish a picture of the keypoints; costs latency");

@@ -1,6 +1,6 @@
-// stdc-slam ros2 against a peer in another process, built on another DDS library (Cyclone DDS) with message definitions
-// that are not ours (Debian's): tools/ros2_peer. Over loopback only. Nothing here depends on how fast the machine is:
-// where frames are counted the publisher waits for the subscriber.
+// stdc-slam ros2 against a peer in another process, built on another DDS library (Cyclone DDS) with message
+// definitions that are not ours (Debian's): tools/ros2_peer. Over loopback only. Nothing here depends on how
+// fast the machine is: where frames are counted the publisher waits for the subscriber.
 #include <unistd.h>
 
 #include <map>
@@ -13,7 +13,8 @@ namespace stdc::app {
 namespace {
 
 constexpr const char* kTopics =
-    "ros2 --color /camera/color/image_raw --depth /camera/aligned_depth_to_color/image_raw --segmentation off "
+    "ros2 --color /camera/color/image_raw --depth /camera/aligned_depth_to_color/image_raw --segmentation "
+    "off "
     "--motion off";
 
 class Ros2CommandLine : public CommandLine {
@@ -36,13 +37,15 @@ class Ros2CommandLine : public CommandLine {
         "export ROS_LOCALHOST_ONLY=1 ROS_DOMAIN_ID={} SLAM={} PEER={}\n"
         "export CYCLONEDDS_URI='<CycloneDDS><Domain><General><Interfaces><NetworkInterface "
         "address=\"127.0.0.1\"/></Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery>"
-        "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>20</MaxAutoParticipantIndex><Peers><Peer "
+        "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>20</"
+        "MaxAutoParticipantIndex><Peers><Peer "
         "Address=\"127.0.0.1\"/></Peers></Discovery></Domain></CycloneDDS>'\n",
         101 + getpid() % 99, STDC_PROGRAM, peer);
     folder_.write("script", head + text);
     const int status =
         std::system(fmt::format("cd {} && sh ./script > .out 2> .err", folder_.path().string()).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"), content(folder_ / ".err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"),
+            content(folder_ / ".err")};
   }
 };
 
@@ -63,10 +66,10 @@ std::map<std::int64_t, Pose> transforms(const std::string& text, const std::stri
 TEST_F(Ros2CommandLine, GivesThePosesOfTheFolderToTheByte) {
   make_sequence(21);
   ASSERT_EQ(call("run s --output o --frames :20 --segmentation off --motion off --quiet").code, 0);
-  const Outcome outcome = script(fmt::format(
-      "$SLAM {} --camera s/camera.yaml --reception every-frame --frames :20 --output ros &\n"
-      "$PEER play s --lossless --await 20 --odometry odometry --tf tf || exit 9\nwait $!",
-      kTopics));
+  const Outcome outcome = script(
+      fmt::format("$SLAM {} --camera s/camera.yaml --reception every-frame --frames :20 --output ros &\n"
+                  "$PEER play s --lossless --await 20 --odometry odometry --tf tf || exit 9\nwait $!",
+                  kTopics));
   ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_EQ(content(folder_ / "ros/trajectory.txt"), content(folder_ / "o/trajectory.txt"));
   EXPECT_EQ(content(folder_ / "ros/keyframes.txt"), content(folder_ / "o/keyframes.txt"));
@@ -76,8 +79,8 @@ TEST_F(Ros2CommandLine, GivesThePosesOfTheFolderToTheByte) {
   EXPECT_EQ(lines(odometry), 20);
   EXPECT_TRUE(contains(odometry, " odom base_link\n"));
   EXPECT_TRUE(contains(odometry, "100633333000 ")) << "the stamp of the image, to the nanosecond";
-  // Where the base is: the peer says that it stands 0.1 m behind and 0.2 m below the camera, which looks forward and
-  // moves to its right: 1 cm a frame along the base's -y.
+  // Where the base is: the peer says that it stands 0.1 m behind and 0.2 m below the camera, which looks
+  // forward and moves to its right: 1 cm a frame along the base's -y.
   const auto map_from_odom = transforms(content(folder_ / "tf"), "odom"),
              odom_from_base = transforms(content(folder_ / "tf"), "base_link");
   ASSERT_EQ(map_from_odom.size(), 20U);
@@ -93,10 +96,10 @@ TEST_F(Ros2CommandLine, GivesThePosesOfTheFolderToTheByte) {
 TEST_F(Ros2CommandLine, TakesTheCameraFromItsInfoAndDepthInMillimetres) {
   make_sequence(21);
   ASSERT_EQ(call("run s --output o --frames :20 --segmentation off --motion off --quiet").code, 0);
-  const Outcome outcome = script(
-      fmt::format("$SLAM {} --reception every-frame --frames :20 --output ros &\n"
-                  "$PEER play s --lossless --millimetres --await 20 || exit 9\nwait $!",
-                  kTopics));
+  const Outcome outcome =
+      script(fmt::format("$SLAM {} --reception every-frame --frames :20 --output ros &\n"
+                         "$PEER play s --lossless --millimetres --await 20 || exit 9\nwait $!",
+                         kTopics));
   ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_EQ(content(folder_ / "ros/trajectory.txt"), content(folder_ / "o/trajectory.txt"));
 }
@@ -114,12 +117,13 @@ TEST_F(Ros2CommandLine, RegistersDepthOfAnotherFrameByTfStatic) {
 
 TEST_F(Ros2CommandLine, AnInterruptionWritesEverything) {
   make_sequence(16);
-  const Outcome outcome = script(fmt::format(
-      "$SLAM {} --camera s/camera.yaml --reception every-frame --output ros --save-map m.map &\n"
-      "$PEER play s --lossless --await 15 || exit 9\nkill -INT $!\nwait $!",
-      kTopics));
+  const Outcome outcome = script(
+      fmt::format("$SLAM {} --camera s/camera.yaml --reception every-frame --output ros --save-map m.map &\n"
+                  "$PEER play s --lossless --await 15 || exit 9\nkill -INT $!\nwait $!",
+                  kTopics));
   ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  EXPECT_EQ(lines(content(folder_ / "ros/trajectory.txt")), 16) << "also the frame that waited for a nearer depth";
+  EXPECT_EQ(lines(content(folder_ / "ros/trajectory.txt")), 16)
+      << "also the frame that waited for a nearer depth";
   EXPECT_TRUE(fs::exists(folder_ / "m.map"));
   EXPECT_EQ(call("map info m.map").code, 0);
 }
@@ -127,7 +131,8 @@ TEST_F(Ros2CommandLine, AnInterruptionWritesEverything) {
 TEST_F(Ros2CommandLine, DoesWhatItIsAskedFor) {
   make_sequence(16);
   const Outcome outcome = script(fmt::format(
-      "until_there() {{ i=0; while [ $i -lt 600 ] && ! grep -q \"$1\" log; do sleep 0.1; i=$((i+1)); done; }}\n"
+      "until_there() {{ i=0; while [ $i -lt 600 ] && ! grep -q \"$1\" log; do sleep 0.1; i=$((i+1)); done; "
+      "}}\n"
       "$SLAM {} --camera s/camera.yaml --reception every-frame --save-map m.map 2> log & slam=$!\n"
       "$PEER play s --lossless --await 15 || exit 9\n"
       "$PEER send /stdc_slam/save_map; until_there save_map:; cp m.map first.map\n"
@@ -150,32 +155,33 @@ TEST_F(Ros2CommandLine, DoesWhatItIsAskedFor) {
 
 TEST_F(Ros2CommandLine, EitherSideMayDieAndComeBack) {
   make_sequence(16);
-  const Outcome outcome = script(fmt::format(
-      "$SLAM {0} --camera s/camera.yaml --reception every-frame & first=$!\n"
-      "$PEER play s --lossless --await 10 > /dev/null || exit 9\n"
-      "kill -9 $first; wait $first\n"
-      "$SLAM {0} --camera s/camera.yaml --reception every-frame --output ros & second=$!\n"
-      "$PEER play s --lossless --loops 1000 > /dev/null & peer=$!\n"
-      "sleep 1; kill -9 $peer; wait $peer\n"
-      "$PEER play s --lossless --shift 5000 --await 15 --odometry after || exit 8\n"
-      "kill -INT $second; wait $second",
-      kTopics));
+  const Outcome outcome =
+      script(fmt::format("$SLAM {0} --camera s/camera.yaml --reception every-frame & first=$!\n"
+                         "$PEER play s --lossless --await 10 > /dev/null || exit 9\n"
+                         "kill -9 $first; wait $first\n"
+                         "$SLAM {0} --camera s/camera.yaml --reception every-frame --output ros & second=$!\n"
+                         "$PEER play s --lossless --loops 1000 > /dev/null & peer=$!\n"
+                         "sleep 1; kill -9 $peer; wait $peer\n"
+                         "$PEER play s --lossless --shift 5000 --await 15 --odometry after || exit 8\n"
+                         "kill -INT $second; wait $second",
+                         kTopics));
   ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
   EXPECT_GE(lines(content(folder_ / "after")), 15);
 }
 
 TEST_F(Ros2CommandLine, SurvivesWhatNoCameraSends) {
   make_sequence(16);
-  const Outcome outcome = script(fmt::format(
-      "$SLAM {} --camera s/camera.yaml --reception every-frame --output ros 2> log & slam=$!\n"
-      "$PEER evil /camera/color/image_raw wrong-type --seconds 60 & wrong=$!\n"
-      "i=0; while [ $i -lt 600 ] && ! grep -q 'is published as' log; do sleep 0.1; i=$((i+1)); done; kill $wrong\n"
-      "$PEER evil /camera/color/image_raw lying-type --count 20\n"
-      "$PEER evil /camera/color/image_raw truncated --count 20 --rate 100\n"
-      "$PEER evil /camera/aligned_depth_to_color/image_raw flood --count 100 --rate 500\n"
-      "$PEER play s --lossless --await 14 --linger 2.5 --diagnostics diagnostics || exit 9\n"
-      "kill -INT $slam; wait $slam",
-      kTopics));
+  const Outcome outcome = script(
+      fmt::format("$SLAM {} --camera s/camera.yaml --reception every-frame --output ros 2> log & slam=$!\n"
+                  "$PEER evil /camera/color/image_raw wrong-type --seconds 60 & wrong=$!\n"
+                  "i=0; while [ $i -lt 600 ] && ! grep -q 'is published as' log; do sleep 0.1; i=$((i+1)); "
+                  "done; kill $wrong\n"
+                  "$PEER evil /camera/color/image_raw lying-type --count 20\n"
+                  "$PEER evil /camera/color/image_raw truncated --count 20 --rate 100\n"
+                  "$PEER evil /camera/aligned_depth_to_color/image_raw flood --count 100 --rate 500\n"
+                  "$PEER play s --lossless --await 14 --linger 2.5 --diagnostics diagnostics || exit 9\n"
+                  "kill -INT $slam; wait $slam",
+                  kTopics));
   const std::string log = content(folder_ / "log"), diagnostics = content(folder_ / "diagnostics");
   ASSERT_EQ(outcome.code, 0) << outcome.out << log;
   EXPECT_TRUE(contains(log, "/camera/color/image_raw is published as std_msgs/msg/Empty")) << log;
@@ -186,9 +192,9 @@ TEST_F(Ros2CommandLine, SurvivesWhatNoCameraSends) {
 
 TEST_F(Ros2CommandLine, RefusesWhatMakesNoSense) {
   expect_refusal("ros2 --color image --depth /depth", "is no name of a topic");
-  expect_refusal(std::string(kTopics) + " --save-map nowhere/m.map", "nowhere/m.map");
-  expect_refusal(std::string(kTopics) + " --localisation-only", "there is no map");
-  expect_refusal(std::string(kTopics) + " --reception never", "--reception");
+  expect_refusal(fmt::format("{} --save-map nowhere/m.map", kTopics), "nowhere/m.map");
+  expect_refusal(fmt::format("{} --localisation-only", kTopics), "there is no map");
+  expect_refusal(fmt::format("{} --reception never", kTopics), "--reception");
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ class LiveSlam {
 
   /// Forgets all, also a map that was loaded, and makes a new one.
   void reset();
-  /// From now on the camera is only found in the map as it is, or the map grows again. The camera is looked for
-  /// in it at the next frame. Throws Error if there is no map yet.
+  /// From now on the camera is only found in the map as it is, or the map grows again. The camera is looked
+  /// for in it at the next frame. Throws Error if there is no map yet.
   void set_localisation_only(bool only);
 
  private:

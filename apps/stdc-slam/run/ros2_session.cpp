@@ -41,7 +41,8 @@ void Ros2Session::assume_mount() {
 
 void Ros2Session::track(const LoadedFrame& frame) {
   constexpr double kRestart = 1;  // [s] back in time, as the source has it
-  if (last_time_ && frame.timestamp < *last_time_ - kRestart) begin_anew("the stamps of the images began anew");
+  if (last_time_ && frame.timestamp < *last_time_ - kRestart)
+    begin_anew("the stamps of the images began anew");
   last_time_ = frame.timestamp;
   if (frame.error) status_.add_unreadable(frame.error->what());
   Slam& slam = live_.slam();

@@ -12,13 +12,13 @@
 #include "run/frame_loader.hpp"
 #include "run/frame_observer.hpp"
 #include "run/live_slam.hpp"
+#include "run/ros2_options.hpp"
 #include "run/ros2_status.hpp"
-#include "run/run_ros2.hpp"
 
 namespace stdc::app {
 
-/// One map being made, or used, in a ROS 2 system: tracks frames, publishes what comes of them, does what it is
-/// asked for.
+/// One map being made, or used, in a ROS 2 system: tracks frames, publishes what comes of them, does what it
+/// is asked for.
 class Ros2Session {
  public:
   /// All must outlive it.

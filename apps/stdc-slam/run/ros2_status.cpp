@@ -65,7 +65,9 @@ ros2::DiagnosticStatus Ros2Status::camera_status(const ros2::Ros2Source& source,
   } else {
     status.message = "frames come in";
   }
-  const auto add = [&](const char* key, int value) { status.values.emplace_back(key, std::to_string(value)); };
+  const auto add = [&](const char* key, int value) {
+    status.values.emplace_back(key, std::to_string(value));
+  };
   add("colour images", counts.colour);
   add("depth images", counts.depth);
   add("colour images without depth", counts.colour_without_depth);
@@ -84,8 +86,8 @@ ros2::DiagnosticStatus Ros2Status::tracking_status() {
   status.message = last_ ? in_words(last_->status) : "no frame yet";
   if (new_unreadable_ > 0) {
     status.level = Level::error;
-    status.message = fmt::format("{} frames since the last report could not be read: {}", new_unreadable_,
-                                 last_problem_);
+    status.message =
+        fmt::format("{} frames since the last report could not be read: {}", new_unreadable_, last_problem_);
   }
   const auto add = [&](const char* key, const std::string& value) { status.values.emplace_back(key, value); };
   add("frames", std::to_string(frames_));

@@ -21,7 +21,7 @@ namespace stdc::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds kPatience(50);
+constexpr std::chrono::milliseconds kTick(50);
 
 ros2::Reception reception_of(const std::string& name) {
   if (name == "best-effort") return ros2::Reception::best_effort;
@@ -71,7 +71,8 @@ class Waiting {
     next_report_ = Clock::now() + kInterval;
     const std::array statuses{Ros2Status::camera_status(source_, 0)};
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    publisher_.publish_diagnostics(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), statuses);
+    publisher_.publish_diagnostics(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(),
+                                   statuses);
     if (statuses[0].message == said_ || Clock::now() < start_ + kGrace) return;
     said_ = statuses[0].message;
     fmt::print(stderr, "stdc-slam: waiting: {}{}\n", said_, image_topics());
@@ -96,7 +97,7 @@ class Waiting {
 
 /// @returns false if the program was interrupted
 bool wait_for_cameras(ros2::Ros2Source& source, Waiting waiting, const InterruptWatch& interrupts) {
-  while (!source.wait_for_cameras(kPatience)) {
+  while (!source.wait_for_cameras(kTick)) {
     if (interrupts.take()) return false;
     waiting.attend();
   }
@@ -109,13 +110,14 @@ void find_mount(const Ros2Options& options, Ros2Session& session, const Interrup
   const Clock::time_point end = Clock::now() + kPatienceForMount;
   while (!session.find_mount()) {
     if (Clock::now() < end && !interrupts.interrupted()) {
-      std::this_thread::sleep_for(kPatience);
+      std::this_thread::sleep_for(kTick);
       continue;
     }
-    fmt::print(stderr,
-               "stdc-slam: /tf_static does not say where the camera is on {}: it is taken to be there, looking "
-               "forward; name another frame by --base-frame\n",
-               options.names.base);
+    fmt::print(
+        stderr,
+        "stdc-slam: /tf_static does not say where the camera is on {}: it is taken to be there, looking "
+        "forward; name another frame by --base-frame\n",
+        options.names.base);
     return session.assume_mount();
   }
 }
@@ -127,7 +129,7 @@ void track_all(const SequenceInput& input, const Settings& settings, const Ros2O
   for (;;) {
     if (interrupts.take()) input.stop();
     session.attend();
-    if (!loader.wait(kPatience)) continue;
+    if (!loader.wait(kTick)) continue;
     const auto frame = loader.next();
     if (!frame) break;
     session.track(*frame);

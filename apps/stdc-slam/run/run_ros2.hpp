@@ -1,32 +1,12 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-
-#include "commands/segmentation_options.hpp"
-#include "commands/settings_options.hpp"
-#include "ros2/ros2_source.hpp"
-#include "ros2/slam_publisher.hpp"
+#include "run/ros2_options.hpp"
 
 namespace stdc::app {
 
-/// What `stdc-slam ros2` was asked to do.
-struct Ros2Options {
-  ros2::CameraTopics topics;  ///< infos may be empty: beside the images
-  std::string reception = "best-effort";
-  double max_difference = 0.02;  ///< between colour and depth [s]
-  std::optional<std::filesystem::path> camera, output, load_map, save_map;
-  ros2::PublisherNames names;
-  std::string frames;  ///< "A:B"
-  bool publish_mask = false, publish_debug_image = false;
-  bool localisation_only = false, quiet = false;
-  SettingsOptions settings;
-  SegmentationOptions segmentation;
-};
-
-/// Joins a ROS 2 system, tracks what its camera sees and publishes where it is, until it is interrupted or the
-/// frames that were asked for have come; then it writes what is to be written. Throws Error for bad input.
+/// Joins a ROS 2 system, tracks what its camera sees and publishes where it is, until it is interrupted or
+/// the frames that were asked for have come; then it writes what is to be written. Throws Error for bad
+/// input.
 /// @return whether any frame got a pose
 bool run_ros2(const Ros2Options& options);
 

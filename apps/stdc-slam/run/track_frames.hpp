@@ -21,15 +21,16 @@ struct TrackOptions {
   std::string label = "tracking";  ///< of the progress line
 };
 
-/// The next frame; nothing at the end, which an interruption is to a live source: it is taken, and what has come
-/// already is still given.
-std::optional<LoadedFrame> next_frame(const SequenceInput& input, FrameLoader& loader, const InterruptWatch& interrupts);
+/// The next frame; nothing at the end, which an interruption is to a live source: it is taken, and what has
+/// come already is still given.
+std::optional<LoadedFrame> next_frame(const SequenceInput& input, FrameLoader& loader,
+                                      const InterruptWatch& interrupts);
 
 /// Tracks all frames of a sequence. Frames that cannot be read, or segmented, are reported on stderr and
 /// survived.
 /// @param observers  see each frame after the record, in this order
-/// Throws Error if there is none or the first one cannot be read, or if the program is interrupted. A live source
-/// knows no other end: there an interruption is one, and is taken.
+/// Throws Error if there is none or the first one cannot be read, or if the program is interrupted. A live
+/// source knows no other end: there an interruption is one, and is taken.
 void track_frames(const SequenceInput& input, const TrackOptions& options, const InterruptWatch& interrupts,
                   Slam& slam, RunRecord& record, std::span<FrameObserver* const> observers = {});
 

@@ -28,7 +28,8 @@ std::optional<SourceFrame> FrameQueue::pop() {
   if (frames_.empty()) return std::nullopt;
   SourceFrame frame = std::move(frames_.front());
   frames_.pop_front();
-  if (frames_.size() <= max_) max_now_ = max_;  // not at once: those that waited are no fault of who is ready now
+  if (frames_.size() <= max_)
+    max_now_ = max_;  // not at once: those that waited are no fault of who is ready now
   return frame;
 }
 

@@ -10,8 +10,8 @@
 
 namespace stdc {
 
-/// Frames of a live camera between the thread that receives them and the one that works on them. It holds few:
-/// where it is full the oldest frame goes, for the newest is worth most. Any thread may call anything.
+/// Frames of a live camera between the thread that receives them and the one that works on them. It holds
+/// few: where it is full the oldest frame goes, for the newest is worth most. Any thread may call anything.
 class FrameQueue {
  public:
   /// @param max        most frames that wait, at least 1

@@ -23,9 +23,9 @@
 namespace stdc {
 namespace {
 
-constexpr std::size_t kFirstFrames = 15;                        // that may wait until they are asked for
-constexpr std::size_t kMaxWaiting = 30;                         // images without a partner
-constexpr std::int64_t kTolerance = 20'000'000;                 // [ns] between colour and depth
+constexpr std::size_t kFirstFrames = 15;                           // that may wait until they are asked for
+constexpr std::size_t kMaxWaiting = 30;                            // images without a partner
+constexpr std::int64_t kTolerance = 20'000'000;                    // [ns] between colour and depth
 constexpr int kWidth = 640, kHeight = 480, kFramesPerSecond = 30;  // wanted; every such device has it
 
 using Pixels = std::shared_ptr<const std::vector<std::uint8_t>>;
@@ -66,7 +66,8 @@ class DeviceImages : public PackedImages {
   Pixels colour_pixels_, depth_pixels_;
 };
 
-/// Of the modes of a sensor the one of the wanted size and rate, else the first, of a format that is read here.
+/// Of the modes of a sensor the one of the wanted size and rate, else the first, of a format that is read
+/// here.
 std::optional<openni::VideoMode> choose_mode(const openni::SensorInfo& sensor,
                                              std::span<const openni::PixelFormat> formats) {
   std::optional<openni::VideoMode> chosen;
@@ -93,8 +94,9 @@ class OpenNiSource : public FrameSource {
       const std::string devices = device_names();
       openni::OpenNI::shutdown();
       throw Error(where_, "there is no such camera",
-                  devices.empty() ? "plug it in, and check that its driver and the rights to its USB device are there"
-                                  : "give one of " + devices);
+                  devices.empty()
+                      ? "plug it in, and check that its driver and the rights to its USB device are there"
+                      : "give one of " + devices);
     }
     try {
       start(colour_, openni::SENSOR_COLOR,
@@ -129,7 +131,8 @@ class OpenNiSource : public FrameSource {
     const openni::VideoMode mode = colour_.getVideoMode();
     const double half_width = 0.5 * mode.getResolutionX();
     return fmt::format(
-        "OpenNI has no intrinsics: give a camera file with --camera (width {}, height {}, depth_units_per_metre {}; "
+        "OpenNI has no intrinsics: give a camera file with --camera (width {}, height {}, "
+        "depth_units_per_metre {}; "
         "fx is about {:.0f} by its field of view)",
         mode.getResolutionX(), mode.getResolutionY(), units_per_metre(),
         half_width / std::tan(0.5 * colour_.getHorizontalFieldOfView()));
@@ -178,14 +181,15 @@ class OpenNiSource : public FrameSource {
     return depth_.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM ? 10'000 : 1000;
   }
 
-  void start(openni::VideoStream& stream, openni::SensorType type, std::span<const openni::PixelFormat> formats,
-             const char* name) {
+  void start(openni::VideoStream& stream, openni::SensorType type,
+             std::span<const openni::PixelFormat> formats, const char* name) {
     const openni::SensorInfo* sensor = device_.getSensorInfo(type);
-    if (sensor == nullptr) throw Error(where_, fmt::format("gives no {} images", name), "use an RGB-D camera");
+    if (sensor == nullptr)
+      throw Error(where_, fmt::format("gives no {} images", name), "use an RGB-D camera");
     const auto mode = choose_mode(*sensor, formats);
     if (!mode) throw Error(where_, fmt::format("has no known format of {} images", name), "tell us its name");
-    if (stream.create(device_, type) != openni::STATUS_OK || stream.setVideoMode(*mode) != openni::STATUS_OK ||
-        stream.start() != openni::STATUS_OK) {
+    if (stream.create(device_, type) != openni::STATUS_OK ||
+        stream.setVideoMode(*mode) != openni::STATUS_OK || stream.start() != openni::STATUS_OK) {
       fail(fmt::format("its {} images cannot be started", name), "see that no other program uses the camera");
     }
     stream.setMirroringEnabled(false);
@@ -198,8 +202,9 @@ class OpenNiSource : public FrameSource {
         device_.setImageRegistrationMode(kToColour) == openni::STATUS_OK) {
       return;
     }
-    notes_.push_back(where_ + ": the device does not register depth to colour: say where the depth camera is by "
-                              "depth_camera in the camera file");
+    notes_.push_back(where_ +
+                     ": the device does not register depth to colour: say where the depth camera is by "
+                     "depth_camera in the camera file");
   }
 
   void work() {
@@ -223,20 +228,23 @@ class OpenNiSource : public FrameSource {
   bool read(openni::VideoStream& stream, bool is_colour) {
     openni::VideoFrameRef frame;
     if (stream.readFrame(&frame) != openni::STATUS_OK || !frame.isValid()) return false;
-    const int channels = is_colour && frame.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_RGB888 ? 3 : 1;
+    const int channels =
+        is_colour && frame.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_RGB888 ? 3 : 1;
     const std::size_t row =
         static_cast<std::size_t>(frame.getWidth()) * (is_colour ? static_cast<std::size_t>(channels) : 2);
-    auto pixels = std::make_shared<std::vector<std::uint8_t>>(row * static_cast<std::size_t>(frame.getHeight()));
+    auto pixels =
+        std::make_shared<std::vector<std::uint8_t>>(row * static_cast<std::size_t>(frame.getHeight()));
     const auto* from = static_cast<const std::uint8_t*>(frame.getData());
     for (int y = 0; y < frame.getHeight(); ++y) {
-      std::memcpy(pixels->data() + row * static_cast<std::size_t>(y), from + std::ptrdiff_t{frame.getStrideInBytes()} * y,
-                  row);
+      std::memcpy(pixels->data() + row * static_cast<std::size_t>(y),
+                  from + std::ptrdiff_t{frame.getStrideInBytes()} * y, row);
     }
     (is_colour ? colour_size_ : depth_size_) = {frame.getWidth(), frame.getHeight()};
     if (is_colour) colour_type_ = channels == 3 ? CV_8UC3 : CV_8UC1;
     const auto stamp = static_cast<std::int64_t>(frame.getTimestamp() * 1000);
     if (!(is_colour ? colour_stamps_ : depth_stamps_).passes(stamp)) return true;
-    is_colour ? pairing_.add_colour({stamp, std::move(pixels)}) : pairing_.add_depth({stamp, std::move(pixels)});
+    is_colour ? pairing_.add_colour({stamp, std::move(pixels)})
+              : pairing_.add_depth({stamp, std::move(pixels)});
     while (pairing_.waiting() > kMaxWaiting) pairing_.give_way(), hand_on();
     hand_on();
     return true;
@@ -253,8 +261,9 @@ class OpenNiSource : public FrameSource {
       frame.depth_timestamp = 1e-9 * static_cast<double>(depth.stamp);
       frame.name = fmt::format("{:.6f}", frame.timestamp);
       frame.where = fmt::format("{} at {}", where_, frame.name);
-      frame.images = std::make_shared<DeviceImages>(frame.where, view(colour.data, colour_size_, colour_type_),
-                                                    view(depth.data, depth_size_, CV_16UC1), colour.data, depth.data);
+      frame.images =
+          std::make_shared<DeviceImages>(frame.where, view(colour.data, colour_size_, colour_type_),
+                                         view(depth.data, depth_size_, CV_16UC1), colour.data, depth.data);
       queue_.push(std::move(frame));
     }
     colour_without_depth_ = pairing_.colour_without_depth();
@@ -289,7 +298,8 @@ class OpenNiSource : public FrameSource {
 
 std::unique_ptr<FrameSource> open_openni_device(const std::filesystem::path& path,
                                                 const SourceOptions& options) {
-  return std::make_unique<OpenNiSource>(path.string().substr(path.string().find(':') + 1), options.max_waiting);
+  return std::make_unique<OpenNiSource>(path.string().substr(path.string().find(':') + 1),
+                                        options.max_waiting);
 }
 
 }  // namespace stdc
@@ -300,7 +310,8 @@ namespace stdc {
 
 std::unique_ptr<FrameSource> open_openni_device(const std::filesystem::path& path,
                                                 const SourceOptions& /*options*/) {
-  throw Error(path.string(), "this program was built without OpenNI", "install libopenni2-dev and build again");
+  throw Error(path.string(), "this program was built without OpenNI",
+              "install libopenni2-dev and build again");
 }
 
 }  // namespace stdc

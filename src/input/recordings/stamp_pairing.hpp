@@ -21,7 +21,8 @@ struct WaitingMessage {
 class StampPairing {
  public:
   /// @param tolerance  [ns]
-  /// @param at_once    [ns] a partner this near is taken without waiting for a nearer one: live cameras cannot
+  /// @param at_once    [ns] a partner this near is taken without waiting for a nearer one: live cameras
+  /// cannot
   ///                   wait
   explicit StampPairing(std::int64_t tolerance, std::int64_t at_once = 0)
       : tolerance_(tolerance), at_once_(at_once) {}
