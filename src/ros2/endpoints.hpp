@@ -49,6 +49,8 @@ class Publication {
 
   /// `message`: CDR with its encapsulation. From one thread at a time. False if it could not be sent.
   virtual bool publish(Bytes message) = 0;
+  /// Waits until all who are connected have what was sent, but not for long.
+  virtual void flush() = 0;
   /// Who receives them now; 0: making a message can be spared.
   virtual int subscribers() const = 0;
 };

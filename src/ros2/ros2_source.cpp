@@ -16,8 +16,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kRestart = 1'000'000'000;  // [ns] back in time: the publisher began anew
 constexpr std::size_t kMaxWaiting = 60;           // images without a partner
 constexpr std::size_t kMaxWaitingBytes = std::size_t{96} << 20U;
-/// Frames that wait: the newest two of a live camera; what a publisher sends ahead where none may be lost.
-constexpr std::size_t kLiveFrames = 2, kFramesAhead = 8;
+/// Frames that wait: the newest three of a live camera; what a publisher sends ahead where none may be lost.
+constexpr std::size_t kLiveFrames = 3, kFramesAhead = 8;
 /// The same until tracking begins: the cameras are looked for by the first frames.
 constexpr std::size_t kFirstFrames = 15;
 

@@ -38,6 +38,11 @@ void SlamPublisher::publish_pose(std::int64_t stamp, const RobotPose& pose) {
   tf_->publish(transforms_message(transforms));
 }
 
+void SlamPublisher::flush() {
+  odometry_->flush();
+  tf_->flush();
+}
+
 void SlamPublisher::publish_mount(std::int64_t stamp, const std::string& camera_frame,
                                   const Pose& base_from_cam) {
   const std::array transforms{Transform{{stamp, names_.base}, camera_frame, base_from_cam}};

@@ -34,6 +34,9 @@ class SlamPublisher {
   void publish_debug_image(std::int64_t stamp, const std::string& camera_frame, const cv::Mat& image);
   void publish_diagnostics(std::int64_t stamp, std::span<const DiagnosticStatus> statuses);
 
+  /// Before the end: waits until the last poses have been received.
+  void flush();
+
   bool path_is_wanted() const { return path_->subscribers() > 0; }
   bool landmarks_are_wanted() const { return landmarks_->subscribers() > 0; }
   bool mask_is_wanted() const { return mask_->subscribers() > 0; }

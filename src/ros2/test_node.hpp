@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -11,8 +12,12 @@
 
 namespace stdc::ros2 {
 
-/// Loopback only, in a domain that hardly another test has.
+/// Loopback only, in a domain that hardly another test has. Nodes of one process go by the network too: what
+/// Fast DDS does between them otherwise loses messages where a reader has no room, and no robot does it.
 inline NodeOptions test_domain() {
+  eprosima::fastrtps::LibrarySettingsAttributes settings;
+  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
   return {.domain = 1 + static_cast<int>(getpid() % 99), .localhost_only = true};
 }
 

@@ -172,6 +172,7 @@ void Ros2Session::begin_anew(const std::string& why) {
 }
 
 void Ros2Session::finish() {
+  parts_.publisher.flush();
   Slam& slam = live_.slam();
   for (const LoopReport& loop : slam.finish()) record_.add(loop);
   if (parts_.options.output) {
