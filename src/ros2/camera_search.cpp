@@ -7,7 +7,7 @@
 namespace stdc::ros2 {
 namespace {
 
-constexpr int kImages = 6;  // for the rate
+constexpr int kSeenImages = 6;  // for the rate
 constexpr int kTransforms = 100;
 
 /// A damaged first image must not decide.
@@ -33,7 +33,7 @@ CameraSearch::CameraSearch(const std::vector<Topic>& topics_by_stream) {
 void CameraSearch::add(CameraStream stream, Bytes data, Clock::time_point now) {
   if (!is_readable(messages_.topics()[static_cast<std::size_t>(stream)], data)) return;
   const bool info = stream == CameraStream::colour_info || stream == CameraStream::depth_info;
-  const int max = info ? 1 : stream == CameraStream::transforms ? kTransforms : kImages;
+  const int max = info ? 1 : stream == CameraStream::transforms ? kTransforms : kSeenImages;
   messages_.add(static_cast<int>(stream), nanoseconds(now), data, max);
   if (!first_pair_ && count(CameraStream::colour) > 0 && count(CameraStream::depth) > 0) first_pair_ = now;
 }
@@ -61,7 +61,7 @@ bool CameraSearch::registration_is_settled(const RecordingSurvey& survey, const 
 std::optional<FoundCameras> CameraSearch::find(Clock::time_point now, bool camera_is_known) {
   constexpr std::chrono::seconds kPatienceForRate(1), kPatienceForTransforms(3);
   if (!first_pair_ || !missing(camera_is_known).empty()) return std::nullopt;
-  if (count(CameraStream::colour) < kImages && now - *first_pair_ < kPatienceForRate) return std::nullopt;
+  if (count(CameraStream::colour) < kSeenImages && now - *first_pair_ < kPatienceForRate) return std::nullopt;
   const RecordingSurvey surveyed = survey(messages_);
   SourceOptions options;
   const auto name = [&](CameraStream stream) {

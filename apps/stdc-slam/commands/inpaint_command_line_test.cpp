@@ -40,7 +40,7 @@ class InpaintCommandLine : public CommandLine {
     return decode_depth(bytes(sequence, name), {320, 240}).image;
   }
   static std::string stamp(double time) { return fmt::format("{:.6f}.png", time); }
-  static constexpr const char* kRun = "run s -o o --segmentation masks --refinement off --motion off ";
+  static constexpr const char* kInpaintRun = "run s -o o --segmentation masks --refinement off --motion off ";
 
  private:
   std::vector<std::uint8_t> bytes(const std::string& sequence, const std::string& name) const {
@@ -51,7 +51,7 @@ class InpaintCommandLine : public CommandLine {
 
 TEST_F(InpaintCommandLine, WritesASequenceWithoutWhatMoves) {
   make_mover();
-  const Outcome outcome = call(std::string(kRun) + "--inpaint d/in");
+  const Outcome outcome = call(std::string(kInpaintRun) + "--inpaint d/in");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "inpainted: d/in (12 frames, 100 % of what was replaced is known"))
       << outcome.out;
@@ -75,9 +75,9 @@ TEST_F(InpaintCommandLine, WritesASequenceWithoutWhatMoves) {
 
 TEST_F(InpaintCommandLine, GivesTheSameBytesAgainAndReplacesItsOwnFolder) {
   make_mover();
-  ASSERT_EQ(call(std::string(kRun) + "--inpaint a").code, 0);
-  ASSERT_EQ(call(std::string(kRun) + "--inpaint b").code, 0);
-  ASSERT_EQ(call(std::string(kRun) + "--inpaint b/").code, 0);
+  ASSERT_EQ(call(std::string(kInpaintRun) + "--inpaint a").code, 0);
+  ASSERT_EQ(call(std::string(kInpaintRun) + "--inpaint b").code, 0);
+  ASSERT_EQ(call(std::string(kInpaintRun) + "--inpaint b/").code, 0);
   for (const char* part : {"rgb", "unknown"}) {
     const std::string name = fmt::format("{}/{}", part, stamp(100 + 9 / 30.0));
     ASSERT_FALSE(content(folder_ / "a" / name).empty());
@@ -89,8 +89,8 @@ TEST_F(InpaintCommandLine, OnlyWithAllItLooksIntoTheFuture) {
   make_mover();
   // The square is there from the first frame on that is taken: most of what it hides is seen later, if at
   // all.
-  ASSERT_EQ(call(std::string(kRun) + "--frames 6: --inpaint past").code, 0);
-  ASSERT_EQ(call(std::string(kRun) + "--frames 6: --inpaint all --inpaint-all").code, 0);
+  ASSERT_EQ(call(std::string(kInpaintRun) + "--frames 6: --inpaint past").code, 0);
+  ASSERT_EQ(call(std::string(kInpaintRun) + "--frames 6: --inpaint all --inpaint-all").code, 0);
   const std::string first = "unknown/" + stamp(100 + 6 / 30.0);
   const int past = cv::countNonZero(colour_of("past", first)),
             all = cv::countNonZero(colour_of("all", first));
@@ -101,16 +101,16 @@ TEST_F(InpaintCommandLine, OnlyWithAllItLooksIntoTheFuture) {
 TEST_F(InpaintCommandLine, RefusesInOneLineAndWritesNothing) {
   make_mover();
   expect_refusal("run s -o o --segmentation off --motion off --inpaint d", "there is nothing to inpaint");
-  expect_refusal(std::string(kRun) + "--inpaint s", "is the folder of the sequence itself");
+  expect_refusal(std::string(kInpaintRun) + "--inpaint s", "is the folder of the sequence itself");
   folder_.write("full/thesis.txt", std::string("words"));
-  expect_refusal(std::string(kRun) + "--inpaint full", "has something else in it (\"thesis.txt\")");
-  expect_refusal(std::string(kRun) + "--inpaint full/thesis.txt", "is not a folder");
-  expect_refusal(std::string(kRun) + "--inpaint o", "cannot be put into the folder of --inpaint");
+  expect_refusal(std::string(kInpaintRun) + "--inpaint full", "has something else in it (\"thesis.txt\")");
+  expect_refusal(std::string(kInpaintRun) + "--inpaint full/thesis.txt", "is not a folder");
+  expect_refusal(std::string(kInpaintRun) + "--inpaint o", "cannot be put into the folder of --inpaint");
   fs::remove_all(folder_ / "clean/mask");
-  expect_refusal(std::string(kRun) + "--inpaint clean", "holds a sequence that --inpaint did not write");
+  expect_refusal(std::string(kInpaintRun) + "--inpaint clean", "holds a sequence that --inpaint did not write");
   EXPECT_FALSE(fs::exists(folder_ / "d"));
   EXPECT_EQ(content(folder_ / "full/thesis.txt"), "words");
-  const Outcome alone = call(std::string(kRun) + "--inpaint-all");
+  const Outcome alone = call(std::string(kInpaintRun) + "--inpaint-all");
   EXPECT_EQ(alone.code, 2);
   EXPECT_EQ(lines(alone.err), 1) << alone.err;
   EXPECT_TRUE(contains(alone.err, "--inpaint")) << alone.err;

@@ -8,7 +8,7 @@
 namespace stdc::app {
 namespace {
 
-constexpr const char* kRun = "run s -o o --segmentation off --motion off";
+constexpr const char* kViewRun = "run s -o o --segmentation off --motion off";
 constexpr int kNotInstalled = 3;
 
 class ViewCommandLine : public CommandLine {
@@ -25,11 +25,11 @@ class ViewCommandLine : public CommandLine {
 
 TEST_F(ViewCommandLine, APageChangesNothingAndSeesTheRun) {
   make_sequence();
-  ASSERT_EQ(call(fmt::format("{} --quiet", kRun)).code, 0);
+  ASSERT_EQ(call(fmt::format("{} --quiet", kViewRun)).code, 0);
   const std::string expected = content(folder_ / "o/trajectory.txt");
   const std::string command =
       fmt::format("cd {} && {} {} --quiet --view 0 --view-wait --view-address 127.0.0.1 2>&1",
-                  folder_.path().string(), STDC_PROGRAM, kRun);
+                  folder_.path().string(), STDC_PROGRAM, kViewRun);
   std::FILE* run = popen(command.c_str(), "r");
   ASSERT_NE(run, nullptr);
   char text[200] = "";
@@ -56,12 +56,12 @@ TEST_F(ViewCommandLine, BadInputIsOneLineBeforeTheRunBegins) {
   ASSERT_EQ(::listen(taken, 1), 0);
   ASSERT_EQ(::getsockname(taken, reinterpret_cast<sockaddr*>(&address), &size), 0);
   const int port = ntohs(address.sin_port);
-  expect_refusal(fmt::format("{} --view {}", kRun, port), fmt::format("port {} is taken", port));
+  expect_refusal(fmt::format("{} --view {}", kViewRun, port), fmt::format("port {} is taken", port));
   ::close(taken);
-  expect_refusal(fmt::format("{} --view 70000", kRun), "70000 is not a port");
-  expect_refusal(fmt::format("{} --view 0 --view-address nowhere", kRun), "cannot listen on nowhere");
-  expect_refusal(fmt::format("{} --view-address 0.0.0.0", kRun), "--view");
-  expect_refusal(fmt::format("{} --view-wait", kRun), "--view");
+  expect_refusal(fmt::format("{} --view 70000", kViewRun), "70000 is not a port");
+  expect_refusal(fmt::format("{} --view 0 --view-address nowhere", kViewRun), "cannot listen on nowhere");
+  expect_refusal(fmt::format("{} --view-address 0.0.0.0", kViewRun), "--view");
+  expect_refusal(fmt::format("{} --view-wait", kViewRun), "--view");
 }
 
 TEST_F(ViewCommandLine, TheWordAfterTheOptionIsNoPort) {
@@ -75,7 +75,7 @@ TEST_F(ViewCommandLine, TheWordAfterTheOptionIsNoPort) {
 
 TEST_F(ViewCommandLine, AnAddressForOthersHasAToken) {
   make_sequence();
-  const Outcome outcome = call(fmt::format("{} --frames 0:2 --quiet --view 0 --view-address 0.0.0.0", kRun));
+  const Outcome outcome = call(fmt::format("{} --frames 0:2 --quiet --view 0 --view-address 0.0.0.0", kViewRun));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(contains(outcome.err, "/?token=")) << outcome.err;
 }

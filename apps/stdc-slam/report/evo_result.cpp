@@ -38,7 +38,7 @@ std::string npy(const std::vector<double>& numbers) {
   return npy(numbers, fmt::format("{},", numbers.size()));
 }
 
-[[noreturn]] void refuse(const std::string& where, const std::string& problem) {
+[[noreturn]] void refuse_result(const std::string& where, const std::string& problem) {
   throw Error(where, problem, "give results of evo_ape with --save_results");
 }
 
@@ -46,7 +46,7 @@ std::string npy(const std::vector<double>& numbers) {
 std::vector<double> numbers_of(const std::string& file, const std::string& where) {
   const std::size_t header = file.find('\n');
   if (!file.starts_with("\x93NUMPY") || header == std::string::npos || file.find("'<f8'") > header) {
-    refuse(where, "has an array that is not of 64-bit floating-point numbers");
+    refuse_result(where, "has an array that is not of 64-bit floating-point numbers");
   }
   std::vector<double> numbers((file.size() - header - 1) / sizeof(double));
   std::memcpy(numbers.data(), file.data() + header + 1, sizeof(double) * numbers.size());
@@ -67,7 +67,7 @@ Json parse(const std::map<std::string, std::string>& files, const std::string& n
            const std::string& where) {
   const auto found = files.find(name);
   Json json = found == files.end() ? Json() : Json::parse(found->second, nullptr, false);
-  if (!json.is_object()) refuse(where, "has no " + name + " as evo writes it");
+  if (!json.is_object()) refuse_result(where, "has no " + name + " as evo writes it");
   return json;
 }
 
@@ -114,8 +114,8 @@ Json evo_run(std::string_view archive, const std::string& where) {
   const std::map<std::string, std::string> files = read_zip(archive, where);
   const Json info = parse(files, "info.json", where), stats = parse(files, "stats.json", where);
   const auto distances = array(files, "error_array", where);
-  if (!distances || distances->empty()) refuse(where, "has no errors");
-  if (info.value("label", "") != "APE (m)") refuse(where, "does not hold absolute errors in metres");
+  if (!distances || distances->empty()) refuse_result(where, "has no errors");
+  if (info.value("label", "") != "APE (m)") refuse_result(where, "does not hold absolute errors in metres");
   const std::vector<double> times = array(files, "timestamps", where).value_or(std::vector<double>());
   std::vector<PoseError> errors;
   int far_off = 0;

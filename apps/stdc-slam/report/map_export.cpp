@@ -10,7 +10,7 @@ namespace stdc::app {
 namespace {
 
 template <typename T>
-void put(std::string& bytes, T value) {
+void put_value(std::string& bytes, T value) {
   char raw[sizeof(T)];
   std::memcpy(raw, &value, sizeof(T));  // every machine that this is built for is little-endian
   bytes.append(raw, sizeof(T));
@@ -37,11 +37,11 @@ std::string point_cloud_ply(const Atlas& atlas) {
       ids.size());
   for (const LandmarkId id : ids) {
     const Landmark& landmark = atlas.landmark(id);
-    for (const double value : landmark.position) put(bytes, static_cast<float>(value));
+    for (const double value : landmark.position) put_value(bytes, static_cast<float>(value));
     const std::uint8_t grey = grey_of(atlas, landmark);
-    for (int channel = 0; channel < 3; ++channel) put(bytes, grey);
-    put(bytes, static_cast<std::int32_t>(landmark.observations.size()));
-    put(bytes, static_cast<std::int32_t>(atlas.keyframe(landmark.observations.front().keyframe).map.value));
+    for (int channel = 0; channel < 3; ++channel) put_value(bytes, grey);
+    put_value(bytes, static_cast<std::int32_t>(landmark.observations.size()));
+    put_value(bytes, static_cast<std::int32_t>(atlas.keyframe(landmark.observations.front().keyframe).map.value));
   }
   return bytes;
 }

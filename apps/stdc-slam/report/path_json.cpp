@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kPositionDecimals = 4;  // [m]
 constexpr double kMinExtent = 0.1;    // [m]
-constexpr double kMaxGap = 0.25;      // [s]; a line across a longer one would show a way that nobody has seen
+constexpr double kMaxPathGap = 0.25;      // [s]; a line across a longer one would show a way that nobody has seen
 
 /// Up in the axes of the camera: `rotation` degrees clockwise turn its image upright.
 Eigen::Vector3d up_in_camera(int rotation) {
@@ -54,7 +54,7 @@ Eigen::Matrix3d rotation_of_axes(int up, double sign) {
 
 /// Points as columns, thinned, with nulls where a line must not go on.
 Json path_columns(const Trajectory& path, const std::vector<Eigen::Vector3d>& drawn, double first_time,
-                  double max_gap = kMaxGap) {
+                  double max_gap = kMaxPathGap) {
   Json columns = {{"time", Json::array()}, {"x", Json::array()}, {"y", Json::array()}, {"z", Json::array()}};
   const auto push = [&](const Json& time, const std::array<Json, 3>& position) {
     columns["time"].push_back(time);
@@ -104,7 +104,7 @@ Trajectory common_part(const Trajectory& truth, const Trajectory& estimate) {
 double length_of(const Trajectory& path) {
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (path[i].timestamp - path[i - 1].timestamp > kMaxGap) continue;
+    if (path[i].timestamp - path[i - 1].timestamp > kMaxPathGap) continue;
     length += (path[i].world_from_cam.translation - path[i - 1].world_from_cam.translation).norm();
   }
   return length;

@@ -77,7 +77,7 @@ Json loops_json(const RunReport& report) {
   return list;
 }
 
-Json images_json(const SampleFrames& samples, double first_time) {
+Json sample_images_json(const SampleFrames& samples, double first_time) {
   Json list = Json::array();
   for (const SampleFrame& frame : samples.frames()) {
     list.push_back({{"frame", frame.number},
@@ -117,7 +117,7 @@ Json run_json(RunReport report) {
   const double first_time = report.record.results().front().timestamp;
   add_paths(run, report.paths, first_time);
   run["loops"] = loops_json(report);
-  if (report.samples != nullptr) run["images"] = images_json(*report.samples, first_time);
+  if (report.samples != nullptr) run["images"] = sample_images_json(*report.samples, first_time);
   return run;
 }
 

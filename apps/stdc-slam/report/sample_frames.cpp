@@ -25,7 +25,7 @@ double dynamic_share(const TrackingResult& result) {
   return std::max(people, result.motion ? result.motion->dynamic_share : 0);
 }
 
-std::string describe(const TrackingResult& result) {
+std::string describe_sample(const TrackingResult& result) {
   std::string text =
       result.status == TrackingStatus::ok ? "" : std::string(status_name(result.status)) + ", ";
   text += fmt::format("{} inliers", result.inliers);
@@ -105,7 +105,7 @@ void SampleFrames::on_frame(const ObservedFrame& frame) {
 }
 
 SampleFrame SampleFrames::sample(const ObservedFrame& frame) {
-  return {frame.number, frame.result.timestamp, describe(frame.result),
+  return {frame.number, frame.result.timestamp, describe_sample(frame.result),
           picture(frame.image->colour, slam_.last_frame())};
 }
 

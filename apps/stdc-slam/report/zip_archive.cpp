@@ -59,7 +59,7 @@ class Bytes {
   std::string_view bytes_;
 };
 
-[[noreturn]] void refuse(const std::string& where, const std::string& problem) {
+[[noreturn]] void refuse_archive(const std::string& where, const std::string& problem) {
   throw Error(where, problem, "write it again");
 }
 
@@ -69,23 +69,23 @@ std::size_t find_end(const Bytes& bytes, const std::string& where) {
   for (std::size_t back = kEndBytes; back <= bytes.size() && back <= kEndBytes + kMaxComment; ++back) {
     if (bytes.number(bytes.size() - back, 4) == kEnd) return bytes.size() - back;
   }
-  refuse(where, "is no ZIP archive");
+  refuse_archive(where, "is no ZIP archive");
 }
 
 std::string unpack(std::string_view packed, std::uint32_t method, std::size_t size,
                    const std::string& where) {
   if (method == 0) {
-    if (packed.size() != size) refuse(where, "is a damaged ZIP archive");
+    if (packed.size() != size) refuse_archive(where, "is a damaged ZIP archive");
     return std::string(packed);
   }
   constexpr std::uint32_t kDeflated = 8;
-  if (method != kDeflated) refuse(where, fmt::format("is packed by method {}, which is not known", method));
+  if (method != kDeflated) refuse_archive(where, fmt::format("is packed by method {}, which is not known", method));
   const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> unpacker(
       libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
   std::string content(size, '\0');
   const libdeflate_result result = libdeflate_deflate_decompress(unpacker.get(), packed.data(), packed.size(),
                                                                  content.data(), size, nullptr);
-  if (result != LIBDEFLATE_SUCCESS) refuse(where, "is a damaged ZIP archive");
+  if (result != LIBDEFLATE_SUCCESS) refuse_archive(where, "is a damaged ZIP archive");
   return content;
 }
 
@@ -129,18 +129,18 @@ std::map<std::string, std::string> read_zip(std::string_view text, const std::st
     const auto name = bytes.part(at + kCentralBytes, bytes.number(at + 28, 2).value_or(0));
     const auto local = bytes.number(at + 42, 4);
     if (bytes.number(at, 4) != kCentral || !name || !local || bytes.number(*local, 4) != kLocal) {
-      refuse(where, "is a damaged ZIP archive");
+      refuse_archive(where, "is a damaged ZIP archive");
     }
     const std::size_t packed_size = *bytes.number(at + 20, 4), size = *bytes.number(at + 24, 4);
     total += size;
-    if (total > max_bytes) refuse(where, "is too large");
+    if (total > max_bytes) refuse_archive(where, "is too large");
     const std::size_t data = *local + kLocalBytes + bytes.number(*local + 26, 2).value_or(0) +
                              bytes.number(*local + 28, 2).value_or(0);
     const auto packed = bytes.part(data, packed_size);
-    if (!packed) refuse(where, "is a damaged ZIP archive");
+    if (!packed) refuse_archive(where, "is a damaged ZIP archive");
     std::string content = unpack(*packed, *bytes.number(at + 10, 2), size, where);
     if (libdeflate_crc32(0, content.data(), content.size()) != *bytes.number(at + 16, 4)) {
-      refuse(where, "is a damaged ZIP archive");
+      refuse_archive(where, "is a damaged ZIP archive");
     }
     files[std::string(*name)] = std::move(content);
     at += kCentralBytes + name->size() + bytes.number(at + 30, 2).value_or(0) +
