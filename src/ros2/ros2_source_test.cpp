@@ -39,13 +39,13 @@ class TestCamera {
   }
   void send_colour(std::int64_t stamp, Style style = Style::cdr_little) {
     const std::vector<std::uint8_t> pixels(3 * kWidth * kHeight, 50);
-    colour_->publish(test::image_message(style, stamp, "optical", kWidth, kHeight, "rgb8", pixels).bytes());
+    send(*colour_, test::image_message(style, stamp, "optical", kWidth, kHeight, "rgb8", pixels).bytes());
   }
   void send_depth(std::int64_t stamp, Style style = Style::cdr_little) {
     const std::vector<std::uint8_t> pixels(2 * kWidth * kHeight, 7);
-    depth_->publish(test::image_message(style, stamp, "optical", kWidth, kHeight, "16UC1", pixels,
-                                        style == Style::cdr_big)
-                        .bytes());
+    send(*depth_, test::image_message(style, stamp, "optical", kWidth, kHeight, "16UC1", pixels,
+                                      style == Style::cdr_big)
+                      .bytes());
   }
   void send_frames(int first, int end, std::int64_t start = kStart) {
     for (int i = first; i < end; ++i) {
@@ -53,9 +53,14 @@ class TestCamera {
       send_depth(start + i * kPeriod + 1'000'000);
     }
   }
-  void send_bytes(const std::vector<std::uint8_t>& bytes) { colour_->publish(bytes); }
+  void send_bytes(const std::vector<std::uint8_t>& bytes) { send(*colour_, bytes); }
 
  private:
+  /// A publisher that keeps all gives up after a while if its readers have no room.
+  static void send(Publication& publication, const std::vector<std::uint8_t>& bytes) {
+    EXPECT_TRUE(eventually([&] { return publication.publish(bytes); }));
+  }
+
   Node node_{test_domain()};
   std::unique_ptr<Publication> colour_, depth_, info_;
 };
