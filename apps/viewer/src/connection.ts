@@ -40,6 +40,7 @@ export class Connection {
   private socket: WebSocket | null = null;
   private wanted = 0;
   private ended = false;
+  private patience = 1500;   // until it is tried again [ms]
   private opened = false;    // once at least
 
   constructor(private readonly listener: Listener) {
@@ -68,6 +69,7 @@ export class Connection {
       // A link that ends so holds a run of --view-wait after its first frame.
       if (location.hash === "#paused" && !this.opened) this.send("pause");
       this.opened = true;
+      this.patience = 1500;
       this.send(`want ${this.wanted}`);
       this.listener.onOpen();
     };
@@ -84,7 +86,9 @@ export class Connection {
     };
     socket.onclose = () => {
       this.listener.onClose();
-      if (!this.ended) setTimeout(() => { if (!this.ended) this.open(); }, 1500);
+      if (this.ended) return;
+      setTimeout(() => { if (!this.ended) this.open(); }, this.patience);
+      this.patience = Math.min(15000, 1.5 * this.patience);
     };
     this.socket = socket;
   }
