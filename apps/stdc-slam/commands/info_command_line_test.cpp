@@ -67,7 +67,7 @@ TEST_F(InfoCommandLine, RefusesWhatIsNoInput) {
   expect_refusal("info none", "none: there is no such folder");
   make_sequence(1);
   expect_refusal("info s --input-kind elephant",
-                 "--input-kind: there is no kind 'elephant'; give one of tum");
+                 "--input-kind: there is no kind 'elephant'; give one of openni2, tum");
   expect_refusal("info s --color /camera/color", "s: is of the kind tum, which has no topics");
 }
 
