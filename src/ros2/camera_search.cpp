@@ -59,7 +59,7 @@ bool CameraSearch::registration_is_settled(const RecordingSurvey& survey, const 
 }
 
 std::optional<FoundCameras> CameraSearch::find(Clock::time_point now, bool camera_is_known) {
-  constexpr std::chrono::seconds kPatienceForRate(1), kPatienceForTransforms(3);
+  constexpr std::chrono::seconds kPatienceForRate(1), kPatienceForTransforms(10);
   if (!first_pair_ || !missing(camera_is_known).empty()) return std::nullopt;
   if (count(CameraStream::colour) < kSeenImages && now - *first_pair_ < kPatienceForRate) return std::nullopt;
   const RecordingSurvey surveyed = survey(messages_);
