@@ -138,6 +138,16 @@ py::array_t<double> array_of(const Pose& pose) {
   return array.reshape({4, 4});
 }
 
+py::array_t<float> pixels_of(const std::vector<Keypoint>& keypoints) {
+  py::array_t<float> array({static_cast<py::ssize_t>(keypoints.size()), py::ssize_t{2}});
+  auto to = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < array.shape(0); ++i) {
+    to(i, 0) = keypoints[static_cast<std::size_t>(i)].x;
+    to(i, 1) = keypoints[static_cast<std::size_t>(i)].y;
+  }
+  return array;
+}
+
 Pose pose_of(const py::handle& object, const std::string& where) {
   constexpr const char* kHint = "give 4 x 4: a rotation matrix, a translation [m], and 0 0 0 1 below";
   const py::array array = array_in(object, where, kHint);

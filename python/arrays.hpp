@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "features/keypoint.hpp"
 
 namespace stdc::python {
 
@@ -29,6 +30,9 @@ py::object array_of(const cv::Mat& image);
 py::array_t<double> array_of(const Pose& pose);
 /// N x 4 x 4.
 py::array_t<double> array_of(const std::vector<Pose>& poses);
+
+/// N x 2 [px].
+py::array_t<float> pixels_of(const std::vector<Keypoint>& keypoints);
 
 /// An N x `width` array of what lies behind each other in a vector.
 template <typename T, typename Item>

@@ -27,16 +27,6 @@ Times times_of(const StageTimes& t) {
   return times;
 }
 
-py::array_t<float> pixels_of(const std::vector<Keypoint>& keypoints) {
-  py::array_t<float> array({static_cast<py::ssize_t>(keypoints.size()), py::ssize_t{2}});
-  auto to = array.mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < array.shape(0); ++i) {
-    to(i, 0) = keypoints[static_cast<std::size_t>(i)].x;
-    to(i, 1) = keypoints[static_cast<std::size_t>(i)].y;
-  }
-  return array;
-}
-
 void bind_result(py::module_& module) {
   py::enum_<TrackingStatus>(module, "Status", "What became of a frame.")
       .value("initialising", TrackingStatus::initialising, "no map yet: too few keypoints with depth so far")

@@ -83,16 +83,7 @@ void bind_tools(py::module_& module) {
   py::class_<Features>(module, "Features", "ORB features of an image; all arrays in the same order.")
       .def("__len__", [](const Features& f) { return f.keypoints.size(); })
       .def_property_readonly(
-          "keypoints",
-          [](const Features& f) {
-            py::array_t<float> array({static_cast<py::ssize_t>(f.keypoints.size()), py::ssize_t{2}});
-            for (std::size_t i = 0; i < f.keypoints.size(); ++i) {
-              array.mutable_at(i, 0) = f.keypoints[i].x;
-              array.mutable_at(i, 1) = f.keypoints[i].y;
-            }
-            return array;
-          },
-          "N x 2 float32 [px]")
+          "keypoints", [](const Features& f) { return pixels_of(f.keypoints); }, "N x 2 float32 [px]")
       .def_property_readonly(
           "angles", [](const Features& f) { return column<float>(f, &Keypoint::angle); }, "N [rad]")
       .def_property_readonly("responses",
