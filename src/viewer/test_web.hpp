@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -92,6 +93,22 @@ inline std::string frame(std::string_view text, std::uint8_t opcode = 1) {
     bytes += static_cast<char>(text.size() & 0xFFU);
   }
   return bytes + std::string(4, '\0') + std::string(text);
+}
+
+/// Takes the first message of a server off the bytes and gives what it carries; nothing if it is not whole yet.
+inline std::optional<std::string> take_frame(std::string& bytes) {
+  const auto byte = [&bytes](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
+  if (bytes.size() < 2) return std::nullopt;
+  std::uint64_t size = byte(1) & 0x7FU;
+  const std::size_t extended = size == 126 ? 2 : size == 127 ? 8 : 0;
+  const std::size_t header = 2 + extended;
+  if (bytes.size() < header) return std::nullopt;
+  if (extended != 0) size = 0;
+  for (std::size_t i = 0; i < extended; ++i) size = size << 8U | byte(2 + i);
+  if (bytes.size() - header < size) return std::nullopt;
+  std::string payload = bytes.substr(header, size);
+  bytes.erase(0, header + size);
+  return payload;
 }
 
 }  // namespace stdc::test
