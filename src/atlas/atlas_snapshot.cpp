@@ -1,5 +1,7 @@
 #include "atlas/atlas_snapshot.hpp"
 
+#include "atlas/atlas.hpp"
+
 namespace stdc {
 
 AtlasSnapshot::AtlasSnapshot(const Atlas& atlas) {

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
-#include "atlas/atlas.hpp"
+#include "core/ids.hpp"
+#include "core/pose.hpp"
 
 namespace stdc {
+
+class Atlas;
+struct Keyframe;
 
 /// What there is to ask of an atlas while a worker has it: poses and positions as they were when it was last
 /// taken. Costs a copy of them, a few milliseconds for the largest maps; whoever changed the atlas pays it,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
-#include "core/setting.hpp"
+#include "estimation/pose_graph_settings.hpp"
 
 namespace stdc {
 
@@ -24,15 +24,6 @@ struct PoseGraph {
   std::vector<Pose> node_from_world;  ///< cam_from_world, for keyframes
   std::vector<std::uint8_t> fixed;    ///< same length; if none is 1, the first node is taken as fixed
   std::vector<PoseGraphEdge> edges;
-};
-
-/// Settings of the pose-graph optimisation.
-struct PoseGraphSettings {
-  STDC_SETTING(int, iterations, 30, "count", 1, 1000, "Max iterations of the pose-graph optimisation");
-  STDC_SETTING(double, min_relative_decrease, 1e-6, "ratio", 0, 0.1,
-               "It ends when the cost falls by less than this share");
-  STDC_SETTING(double, robust_chi_square, 12.592, "", 0.01, 1e6,
-               "Squared error of a robust edge beyond which it counts less (95 % quantile: 12.592)");
 };
 
 struct PoseGraphResult {

@@ -7,8 +7,8 @@
 
 #include "core/camera.hpp"
 #include "core/pose.hpp"
-#include "core/setting.hpp"
 #include "estimation/noise_settings.hpp"
+#include "estimation/pose_optimisation_settings.hpp"
 
 namespace stdc {
 
@@ -18,15 +18,6 @@ struct PoseObservation {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();           ///< ideal (undistorted) pixel
   float depth = 0;  ///< measured z [m]; <= 0: none, a monocular observation
   float scale = 1;  ///< of the keypoint's pyramid level; multiplies pixel_sigma
-};
-
-/// Settings of the pose-only optimisation.
-struct PoseOptimisationSettings {
-  STDC_SETTING(int, rounds, 4, "count", 1, 20,
-               "Rounds of optimisation; outliers are classified anew after each");
-  STDC_SETTING(int, iterations_per_round, 10, "count", 1, 100,
-               "Max iterations of a round; it stops when converged");
-  STDC_SETTING(int, min_observations, 3, "count", 3, 100, "Fewer observations than this give no pose");
 };
 
 /// What is known of a pose beforehand: exp(twist) * cam_from_world with a normally distributed twist.

@@ -4,11 +4,12 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "features/detection/pyramid.hpp"
 #include "features/feature_settings.hpp"
 #include "features/keypoint.hpp"
 
 namespace stdc {
+
+class Pyramid;
 
 /// The quadtree node that a keypoint was chosen from; for pictures. Edges in raw pixels of the full-size
 /// image.

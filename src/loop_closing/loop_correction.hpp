@@ -4,22 +4,11 @@
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/pose_graph.hpp"
 #include "estimation/sensor_model.hpp"
+#include "loop_closing/loop_report.hpp"
 #include "loop_closing/loop_settings.hpp"
 #include "place_recognition/loop_verification.hpp"
 
 namespace stdc {
-
-/// A loop that was closed.
-struct LoopReport {
-  bool merged = false;               ///< the place was in another map: the two are one now
-  int frame = 0, matched_frame = 0;  ///< input frames of the keyframes that see the same place
-  int keyframes = 0;                 ///< of the map that was corrected
-  int fused = 0;                     ///< landmarks that turned out to be one, and new observations
-  double drift =
-      0;  ///< [m] between where the keyframe was thought to be and where it is; of no meaning if merged
-  double detection_ms = 0;   ///< wall, of the mapping thread: finding and verifying it
-  double correction_ms = 0;  ///< wall, of the mapping thread
-};
 
 /// What it takes to close a loop.
 struct LoopTools {

@@ -4,13 +4,10 @@
 #include "core/camera.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/sensor_model.hpp"
+#include "mapping/mapping_report.hpp"
 #include "mapping/mapping_settings.hpp"
 
 namespace stdc {
-
-struct LocalBundleReport {
-  int keyframes = 0, fixed_keyframes = 0, landmarks = 0, observations = 0, outliers = 0;
-};
 
 /// Adjusts a keyframe, its covisible ones and the landmarks that they see; other keyframes that see those
 /// landmarks are held fixed. Observations found to be outliers are taken out of the map (Mur-Artal et al.,

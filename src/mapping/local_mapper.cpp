@@ -4,6 +4,7 @@
 #include "mapping/culling.hpp"
 #include "mapping/landmark_creation.hpp"
 #include "mapping/landmark_fusion.hpp"
+#include "mapping/local_bundle.hpp"
 
 namespace stdc {
 

@@ -5,19 +5,10 @@
 #include "atlas/atlas.hpp"
 #include "estimation/bundle_adjustment.hpp"
 #include "estimation/sensor_model.hpp"
-#include "mapping/local_bundle.hpp"
+#include "mapping/mapping_report.hpp"
 #include "mapping/mapping_settings.hpp"
 
 namespace stdc {
-
-/// What mapping a keyframe did and how long it took.
-struct MappingReport {
-  double total_ms = 0;              ///< wall, of the mapping thread
-  double bundle_ms = 0;             ///< of which local bundle adjustment
-  LocalBundleReport bundle;         ///< its size
-  int triangulated = 0, fused = 0;  ///< landmarks
-  int culled_keyframes = 0;
-};
 
 /// Works a new keyframe into the map: covisibility, culling of young landmarks, new landmarks, fusion, local
 /// bundle adjustment, culling of keyframes (Mur-Artal et al., 'ORB-SLAM', T-RO 2015, sec. VI). Has the map to

@@ -9,8 +9,8 @@
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "features/keypoint.hpp"
-#include "loop_closing/loop_correction.hpp"
-#include "mapping/local_mapper.hpp"
+#include "loop_closing/loop_report.hpp"
+#include "mapping/mapping_report.hpp"
 #include "motion/motion_report.hpp"
 
 namespace stdc {

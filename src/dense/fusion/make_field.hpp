@@ -3,18 +3,12 @@
 #include <functional>
 #include <optional>
 
-#include "atlas/dense_view.hpp"
 #include "dense/dense_settings.hpp"
 #include "dense/fusion/distance_field.hpp"
 #include "dense/fusion/make_samples.hpp"
+#include "dense/fusion/placed_view.hpp"
 
 namespace stdc {
-
-/// A view and where it was taken, as now known.
-struct PlacedView {
-  std::shared_ptr<const DenseView> view;
-  Pose cam_from_world;
-};
 
 /// Puts views into a distance field. The same views give the same field, bit by bit, on any number of
 /// threads. Views whose bytes are no images are passed over.

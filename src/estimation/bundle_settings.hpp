@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/setting.hpp"
+
+namespace stdc {
+
+/// Settings of the bundle adjustment.
+struct BundleSettings {
+  STDC_SETTING(int, robust_iterations, 5, "count", 1, 100,
+               "Max iterations of the first stage, all observations, Huber kernel");
+  STDC_SETTING(int, final_iterations, 5, "count", 0, 100,
+               "Max iterations of the second stage, without outliers");
+  STDC_SETTING(double, min_relative_decrease, 1e-4, "ratio", 0, 0.1,
+               "A stage ends when the cost falls by less than this share");
+};
+
+}  // namespace stdc
