@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segmentation/network/kernels/direct_convolution.hpp"
 #include "segmentation/network/kernels/integer_winograd.hpp"
 #include "segmentation/network/kernels/tensor_kernels.hpp"
 #include "segmentation/network/kernels/winograd_convolution.hpp"
@@ -69,9 +70,14 @@ void NetworkBuilder::convolution_into(const ConvolutionWeights& layer, const Act
     add(layer.name, "own integer Winograd", count, [winograd] { winograd->run(); });
     return;
   }
-  const auto kernel =
-      std::make_shared<DnnlConvolution>(engine_, layer, source.view(), target.view(), complete);
-  add(layer.name, kernel->kernel(), count, [kernel] { kernel->run(); });
+  const std::shared_ptr<DnnlConvolution> kernel =
+      DnnlConvolution::make(engine_, layer, source.view(), target.view(), complete);
+  if (kernel) {
+    add(layer.name, kernel->kernel(), count, [kernel] { kernel->run(); });
+    return;
+  }
+  const auto direct = std::make_shared<DirectConvolution>(layer, source.view(), target.view(), complete);
+  add(layer.name, "own direct", count, [direct] { direct->run(); });
 }
 
 void NetworkBuilder::average_pool(const std::string& name, const Activation& source,

@@ -1,12 +1,9 @@
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
 
-#include <fmt/format.h>
-
 #include <oneapi/dnnl/dnnl.hpp>
 #include <optional>
 #include <unordered_map>
 
-#include "core/error.hpp"
 #include "segmentation/network/kernels/dnnl_kernels.hpp"
 #include "segmentation/network/kernels/quantised_weights.hpp"
 
@@ -96,11 +93,14 @@ std::optional<Primitive> best_kernel(const dnnl::engine& engine, DnnlRequest req
 
 }  // namespace
 
-DnnlConvolution::DnnlConvolution(DnnlEngine& engine, const ConvolutionWeights& layer,
-                                 const TensorView& source, const TensorView& target,
-                                 const ConvolutionOptions& options)
-    : implementation_(std::make_unique<Implementation>(*engine.implementation_)) {
-  Implementation& own = *implementation_;
+DnnlConvolution::DnnlConvolution() = default;
+
+std::unique_ptr<DnnlConvolution> DnnlConvolution::make(DnnlEngine& engine, const ConvolutionWeights& layer,
+                                                       const TensorView& source, const TensorView& target,
+                                                       const ConvolutionOptions& options) {
+  std::unique_ptr<DnnlConvolution> made(new DnnlConvolution());
+  made->implementation_ = std::make_unique<Implementation>(*engine.implementation_);
+  Implementation& own = *made->implementation_;
   const dnnl::engine& dnnl_engine = own.shared.engine;
   DnnlRequest request = describe(layer, source, target, options);
   own.bias = layer.bias;
@@ -117,13 +117,9 @@ DnnlConvolution::DnnlConvolution(DnnlEngine& engine, const ConvolutionWeights& l
   const auto kernel = best_kernel(dnnl_engine, request, source, target, layer);
   const memory inside = kernel ? own.bind(kernel->src_desc(), source, own.before, true) : memory();
   const memory outside = kernel ? own.bind(kernel->dst_desc(), target, own.after, false) : memory();
-  if (!inside || !outside) {
-    throw Error(fmt::format("layer '{}'", layer.name),
-                "oneDNN has only a slow reference kernel for it on this processor",
-                "use the other precision or a network whose channels are multiples of 16");
-  }
-  kernel_ = kernel->impl_info_str();
-  if (own.before || own.after) kernel_ += "+reorder";
+  if (!inside || !outside) return nullptr;
+  made->kernel_ = kernel->impl_info_str();
+  if (own.before || own.after) made->kernel_ += "+reorder";
   own.primitive = dnnl::convolution_forward(*kernel);
 
   const bool is_f32 = source.type == ElementType::f32;
@@ -149,6 +145,7 @@ DnnlConvolution::DnnlConvolution(DnnlEngine& engine, const ConvolutionWeights& l
                           memory(scales, dnnl_engine, own.scales.data()));
   }
 #endif
+  return made;
 }
 
 DnnlConvolution::~DnnlConvolution() = default;

@@ -21,8 +21,10 @@ class DnnlEngine {
   /// VNNI, if ONEDNN_MAX_CPU_ISA allows it). Elsewhere pairs of products are summed in 16 bits with
   /// saturation (VPMADDUBSW), and 127 keeps clear of that: 2 * 127 * 127 < 2^15.
   static int activation_levels();
-  /// Channels per block of the layout that oneDNN prefers for fp32: 16 with AVX-512, else 8.
+  /// Channels per block of the layout that is best for fp32: 16 with AVX-512, else 8.
   static int preferred_block();
+  /// False on processors where it has only reference kernels: 64-bit ARM without SVE.
+  static bool has_fast_kernels();
   /// oneDNN's version and instruction set, e.g. "oneDNN 2.6.3, AVX2".
   static std::string description();
 
@@ -47,9 +49,10 @@ struct ConvolutionOptions {
 /// the views where oneDNN has a fast kernel for them, else its own choice with reorders before and after.
 class DnnlConvolution {
  public:
-  /// Throws Error naming the layer if oneDNN has only a reference kernel for it. `engine` must outlive this.
-  DnnlConvolution(DnnlEngine& engine, const ConvolutionWeights& layer, const TensorView& source,
-                  const TensorView& target, const ConvolutionOptions& options);
+  /// Null if oneDNN has only a reference kernel for it. `engine` must outlive the convolution.
+  static std::unique_ptr<DnnlConvolution> make(DnnlEngine& engine, const ConvolutionWeights& layer,
+                                               const TensorView& source, const TensorView& target,
+                                               const ConvolutionOptions& options);
   ~DnnlConvolution();
   DnnlConvolution(DnnlConvolution&&) noexcept;
 
@@ -60,6 +63,7 @@ class DnnlConvolution {
 
  private:
   struct Implementation;
+  DnnlConvolution();
   std::unique_ptr<Implementation> implementation_;
   std::string kernel_;
 };

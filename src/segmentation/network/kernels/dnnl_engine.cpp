@@ -16,30 +16,50 @@ int DnnlEngine::activation_levels() {
     case dnnl::cpu_isa::avx2_vnni:  // version 2.6 has no such kernels for some layers: right for all
     case dnnl::cpu_isa::avx512_core:
       return 127;
-    default:
+    default:  // also processors that it has no kernels for: the sums of our own are exact
       return 255;
   }
 }
 
-int DnnlEngine::preferred_block() {
-  const dnnl::engine engine(dnnl::engine::kind::cpu, 0);
-  const TensorView view{{64, 32, 32}, ElementType::f32, 64, 64, nullptr};
+namespace {
+
+TensorView common_view() { return {{64, 32, 32}, ElementType::f32, 64, 64, nullptr}; }
+
+/// oneDNN's kernel for a common layer in fp32, in layouts of its choice.
+std::optional<dnnl::convolution_forward::primitive_desc> common_kernel(const dnnl::engine& engine) {
+  const TensorView view = common_view();
   DnnlRequest request;
   request.source = request.target = dnnl_any_layout(view);
   request.weights = memory::desc({64, 64, 3, 3}, memory::data_type::f32, memory::format_tag::any);
   request.bias = memory::desc({64}, memory::data_type::f32, memory::format_tag::a);
   request.strides = request.padding_before = request.padding_after = {1, 1};
-  const auto kernel = find_dnnl_kernel(engine, request);
-  TensorView blocked = view;
+  return find_dnnl_kernel(engine, request);
+}
+
+}  // namespace
+
+bool DnnlEngine::has_fast_kernels() {
+  return common_kernel(dnnl::engine(dnnl::engine::kind::cpu, 0)).has_value();
+}
+
+int DnnlEngine::preferred_block() {
+  constexpr int kOfOwnKernels = 8;
+  const auto kernel = common_kernel(dnnl::engine(dnnl::engine::kind::cpu, 0));
+  if (!kernel) return kOfOwnKernels;
+  TensorView blocked = common_view();
   for (const int block : {16, 8}) {
     blocked.block = blocked.pixel_stride = block;
-    if (kernel && kernel->dst_desc() == dnnl_layout(blocked)) return block;
+    if (kernel->dst_desc() == dnnl_layout(blocked)) return block;
   }
   return 0;
 }
 
 std::string DnnlEngine::description() {
   const dnnl_version_t* version = dnnl_version();
+  if (!has_fast_kernels()) {
+    return fmt::format("own kernels (oneDNN {}.{}.{} has none for this processor)", version->major,
+                       version->minor, version->patch);
+  }
   const char* isa = "newer";
   switch (dnnl::get_effective_cpu_isa()) {
     case dnnl::cpu_isa::sse41:

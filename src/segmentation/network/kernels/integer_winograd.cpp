@@ -84,7 +84,8 @@ bool IntegerWinograd::suits(const ConvolutionWeights& layer, const TensorView& s
   // The transformed weights have 3.6 times as many bytes: with fewer outputs it takes as long to fetch them.
   constexpr std::size_t kMinOutputs = 256;
   if (target.shape.pixels() < kMinOutputs) return false;
-  return DnnlEngine::activation_levels() < kAllLevels && fits(layer, source, target);
+  return fits(layer, source, target) &&
+         (DnnlEngine::activation_levels() < kAllLevels || !DnnlEngine::has_fast_kernels());
 }
 
 IntegerWinograd::IntegerWinograd(const ConvolutionWeights& layer, const TensorView& source,
