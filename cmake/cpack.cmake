@@ -2,7 +2,11 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME stdc-slam)
 set(CPACK_PACKAGE_VENDOR "STDC-SLAM")
-set(CPACK_PACKAGE_CONTACT "STDC-SLAM developers <stdc-slam@localhost.localdomain>")
+# Who builds them maintains them, as with Debian's own tools: $DEBFULLNAME and $DEBEMAIL.
+set(CPACK_PACKAGE_CONTACT "STDC-SLAM developers <stdc-slam@example.org>")
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -20,20 +24,23 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_STRIP_FILES ON)
 
 set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-# stdc_deb(COMPONENT NAME SUMMARY DEPENDS DESCRIPTION)
+# stdc_deb(COMPONENT NAME SUMMARY DEPENDS LINE...): the lines are the description
 macro(stdc_deb component name summary depends)
   string(TOUPPER ${component} upper)
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}")
-  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${ARGN}")
+  string(REPLACE ";" "\n" text "${ARGN}")
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}")
   install(FILES packaging/debian/copyright DESTINATION share/doc/${name} COMPONENT ${component})
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz DESTINATION share/doc/${name} COMPONENT ${component})
 endmacro()
-execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/packaging/debian/changelog
+configure_file(packaging/debian/changelog.in changelog @ONLY)
+execute_process(COMMAND gzip -9nc ${CMAKE_CURRENT_BINARY_DIR}/changelog
   OUTPUT_FILE ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
 
 stdc_deb(library libstdc-slam${soversion} "RGB-D visual SLAM in dynamic scenes (library)" ""
-  "Finds the trajectory of an RGB-D camera and a map of what it sees, in real time and without being misled by people and things that move.")
+  "Finds the trajectory of an RGB-D camera and a map of what it sees, in real"
+  "time and without being misled by people and things that move.")
 stdc_deb(dev libstdc-slam-dev "RGB-D visual SLAM in dynamic scenes (development files)"
   "libstdc-slam${soversion} (= ${PROJECT_VERSION}), libeigen3-dev, libopencv-core-dev"
   "Headers, CMake and pkg-config files of STDC-SLAM.")
@@ -41,7 +48,8 @@ stdc_deb(program stdc-slam "RGB-D visual SLAM in dynamic scenes (command line)" 
   "Runs on recordings and live cameras, scores trajectories and looks into maps.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stdc-slam-models")
 stdc_deb(models stdc-slam-models "RGB-D visual SLAM in dynamic scenes (network weights)" ""
-  "Weights of the segmentation network. They were trained on data for research; see their README.")
+  "Weights of the segmentation network. They were trained on data for research"
+  "only: see their README.")
 set(CPACK_DEBIAN_MODELS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_MODELS_PACKAGE_SHLIBDEPS OFF)
 if(STDC_BUILD_PYTHON)

@@ -1,6 +1,8 @@
 # OpenCV's own package file is in the meta package of 1 GB (libopencv-dev); the small packages that this project
 # asks for have only headers and libraries. Take the package file where it is, else make the targets here.
-set(STDC_OPENCV_MODULES core imgproc)
+if(NOT STDC_OPENCV_MODULES)
+  set(STDC_OPENCV_MODULES core imgproc)
+endif()
 find_package(OpenCV 4.5 CONFIG QUIET COMPONENTS ${STDC_OPENCV_MODULES})
 if(NOT OpenCV_FOUND)
   find_path(OpenCV_INCLUDE_DIRS opencv2/core.hpp PATH_SUFFIXES opencv4)
