@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <opencv2/imgproc.hpp>
 
 #include "core/error.hpp"
@@ -41,12 +41,25 @@ py::array_t<T, py::array::c_style | py::array::forcecast> packed(const py::array
   return py::array_t<T, py::array::c_style | py::array::forcecast>(array);
 }
 
+constexpr int kAsTheyAre = -1;
+
+/// The values, of `type`, as an image in memory of its own; converted on the way, by a code of cv::cvtColor.
 template <typename T>
-cv::Mat copy_of(const py::array& array, int type) {
+cv::Mat copy_of(const py::array& array, int type, int code = kAsTheyAre) {
   const auto values = packed<T>(array);
-  cv::Mat image(static_cast<int>(array.shape(0)), static_cast<int>(array.shape(1)), type);
-  std::memcpy(image.data, values.data(), image.total() * image.elemSize());
-  return image;
+  const cv::Mat shared(static_cast<int>(array.shape(0)), static_cast<int>(array.shape(1)), type,
+                       const_cast<T*>(values.data()));
+  if (code == kAsTheyAre) return shared.clone();
+  // By bands that are too small for OpenCV to share with other threads, for which it would have to wait.
+  constexpr int kMaxBand = 1 << 16;
+  const int rows = std::max(1, kMaxBand / shared.cols - 1);
+  const bool to_grey = code == cv::COLOR_RGB2GRAY || code == cv::COLOR_BGR2GRAY;
+  cv::Mat converted(shared.size(), to_grey ? CV_8UC1 : type);
+  for (int top = 0; top < shared.rows; top += rows) {
+    const cv::Range band(top, std::min(top + rows, shared.rows));
+    cv::cvtColor(shared.rowRange(band), converted.rowRange(band), code);
+  }
+  return converted;
 }
 
 void check_size(const py::array& array, const std::string& where, const char* hint) {
@@ -56,20 +69,30 @@ void check_size(const py::array& array, const std::string& where, const char* hi
   }
 }
 
-}  // namespace
-
-cv::Mat colour_image(const py::handle& object, const std::string& order, const std::string& where) {
+py::array colour_array(const py::handle& object, const std::string& order, const std::string& where) {
   constexpr const char* kHint = "give uint8, height x width x 3 or height x width";
   if (order != "rgb" && order != "bgr")
     throw Error("order", "'" + order + "' is none", "say \"rgb\" or \"bgr\"");
-  const py::array array = array_in(object, where, kHint);
+  py::array array = array_in(object, where, kHint);
   const bool grey = array.ndim() == 2;
   if (!is_kind(array, 'u', 1) || !(grey || (array.ndim() == 3 && array.shape(2) == 3)))
     refuse(array, where, kHint);
   check_size(array, where, kHint);
-  cv::Mat image = copy_of<std::uint8_t>(array, grey ? CV_8UC1 : CV_8UC3);
-  if (!grey && order == "rgb") cv::cvtColor(image, image, cv::COLOR_RGB2BGR);
-  return image;
+  return array;
+}
+
+}  // namespace
+
+cv::Mat colour_image(const py::handle& object, const std::string& order, const std::string& where) {
+  const py::array array = colour_array(object, order, where);
+  if (array.ndim() == 2) return copy_of<std::uint8_t>(array, CV_8UC1);
+  return copy_of<std::uint8_t>(array, CV_8UC3, order == "rgb" ? cv::COLOR_RGB2BGR : kAsTheyAre);
+}
+
+cv::Mat grey_image(const py::handle& object, const std::string& order, const std::string& where) {
+  const py::array array = colour_array(object, order, where);
+  if (array.ndim() == 2) return copy_of<std::uint8_t>(array, CV_8UC1);
+  return copy_of<std::uint8_t>(array, CV_8UC3, order == "rgb" ? cv::COLOR_RGB2GRAY : cv::COLOR_BGR2GRAY);
 }
 
 cv::Mat depth_image(const py::handle& object, const std::string& where) {

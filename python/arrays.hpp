@@ -19,6 +19,8 @@ namespace py = pybind11;
 /// `where`.
 /// @param order  "rgb" or "bgr": of the array; the image is BGR
 cv::Mat colour_image(const py::handle& array, const std::string& order, const std::string& where);
+/// Its brightness, as the tracker would make it of the colour image: one pass less over the pixels.
+cv::Mat grey_image(const py::handle& array, const std::string& order, const std::string& where);
 /// Copies a depth image: uint16 in units of the camera, or float32 or float64 in metres; H x W. None: empty.
 cv::Mat depth_image(const py::handle& array, const std::string& where);
 /// Copies a mask: bool or uint8, H x W; not 0 = dynamic. None: empty.

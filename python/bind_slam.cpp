@@ -128,7 +128,7 @@ TrackingResult track(SlamObject& slam, const py::object& timestamp, const py::ob
                      const py::object& depth, const std::string& order) {
   RgbdImage image;
   image.timestamp = seconds_of(timestamp, "timestamp");
-  image.colour = colour_image(colour, order, "colour");
+  image.colour = (slam.needs_colour() ? colour_image : grey_image)(colour, order, "colour");
   image.depth = depth_image(depth, "depth");
   return slam.with([&](Slam& s) { return s.track(image); });
 }

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include <mutex>
-#include <opencv2/imgproc.hpp>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -46,13 +45,12 @@ class PySegmenter {
 
 Features extract(const py::object& image, const py::object& mask, const py::object& given,
                  const std::string& order) {
-  cv::Mat grey = colour_image(image, order, "image");
+  const cv::Mat grey = grey_image(image, order, "image");
   const cv::Mat dynamic = mask_image(mask, "mask");
   if (!dynamic.empty() && dynamic.size() != grey.size())
     throw Error("mask", "has another size than the image", "give one of the same height and width");
   const Settings settings = settings_of(given);
   const ReleasedGil others;
-  if (grey.channels() == 3) cv::cvtColor(grey, grey, cv::COLOR_BGR2GRAY);
   FeatureExtractor extractor(settings.features);
   extractor.detect(grey);
   extractor.reject(dynamic);

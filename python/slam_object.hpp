@@ -17,7 +17,10 @@ namespace stdc::python {
 class SlamObject {
  public:
   SlamObject(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter)
-      : camera_(camera), slam_(std::make_unique<Slam>(camera, settings, std::move(segmenter))) {}
+      : camera_(camera),
+        // Everything else sees brightness only.
+        needs_colour_(settings.segmentation.source == SegmentationSource::network || settings.dense.active),
+        slam_(std::make_unique<Slam>(camera, settings, std::move(segmenter))) {}
   ~SlamObject() {
     // Waiting for the workers takes a while. A forked child has none: what it inherited is left alone.
     const ReleasedGil others;
@@ -44,11 +47,14 @@ class SlamObject {
   }
 
   const Camera& camera() const { return camera_; }
+  /// Whether colours of frames make a difference.
+  bool needs_colour() const { return needs_colour_; }
 
  private:
   bool is_child() const { return getpid() != process_; }
 
   Camera camera_;
+  bool needs_colour_;
   pid_t process_ = getpid();
   std::mutex mutex_;
   std::unique_ptr<Slam> slam_;
