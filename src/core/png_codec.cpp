@@ -85,7 +85,7 @@ bool start(png_structp png, png_infop info, PngReader& reader, cv::Size size, Ki
   return true;
 }
 
-DecodedImage decode(Bytes bytes, cv::Size size, Kind kind) {
+DecodedImage decode(Bytes bytes, const cv::Size& size, Kind kind) {
   PngReader reader;
   reader.bytes = bytes;
   cv::Mat image;
