@@ -2,19 +2,18 @@
 FROM debian:bookworm-slim AS build
 WORKDIR /source
 COPY scripts/install-packages scripts/packages.txt scripts/
-RUN scripts/install-packages
+RUN scripts/install-packages && apt-get install -y -qq --no-install-recommends patchelf zstd >/dev/null
 COPY . .
-RUN cmake -S . -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_SHARED_LIBS=ON \
+RUN cmake -S . -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release \
       -DSTDC_BUILD_TESTS=OFF -DSTDC_BUILD_SIMULATION=OFF -DSTDC_BUILD_BENCHMARKS=OFF -DSTDC_BUILD_TOOLS=OFF \
  && cmake --build /build \
- && (cd /build && apt-get install -y -qq dpkg-dev file >/dev/null && cpack -B /packages >/dev/null)
+ && packaging/make_tarball /build /tmp \
+ && mkdir /image && tar -C /image --strip-components=1 --zstd -xf /tmp/stdc-slam-*.tar.zst
 
+# The libraries that the program needs come along: Debian's package of OpenCV's core would bring Mesa and LLVM, 200 MB.
 FROM debian:bookworm-slim
-COPY --from=build /packages/stdc-slam_*.deb /packages/stdc-slam-models_*.deb /packages/
-RUN apt-get update -qq \
- && apt-get install -y -qq --no-install-recommends /packages/*.deb \
- && rm -rf /packages /var/lib/apt/lists/* \
- && useradd --create-home slam
+COPY --from=build /image /usr/local
+RUN useradd --create-home slam
 USER slam
 WORKDIR /data
 ENTRYPOINT ["stdc-slam"]

@@ -60,6 +60,9 @@ target_link_libraries(stdc_slam_package PRIVATE fmt::fmt ${STDC_PRIVATE_LIBRARIE
 
 if(NOT STDC_INSTALL)
   set_target_properties(stdc_slam_package PROPERTIES EXCLUDE_FROM_ALL ON)
+  if(NOT STDC_BUILD_PROGRAM)
+    set_target_properties(stdc_viewer PROPERTIES EXCLUDE_FROM_ALL ON)  # the Python module has no part of it
+  endif()
   return()
 endif()
 
