@@ -116,32 +116,30 @@ void multiply_block(const std::int16_t* inputs, int channels, const std::int16_t
 
 #else
 
-/// Sums of products of pairs of numbers. On x86 one instruction multiplies pairs and adds the two products;
-/// on ARM the products of the lower and the upper pairs are summed apart, one by one.
-struct PairSums {
-  IntVector lower, upper;
-
-  HWY_INLINE void add(ShortVector a, ShortVector b) {
+/// Adds the products of pairs of numbers to sums. On x86 one instruction multiplies pairs and adds the two
+/// products; on ARM the products of the lower and the upper pairs are summed apart, one by one.
+HWY_INLINE void add_pairs(ShortVector a, ShortVector b, IntVector& lower, [[maybe_unused]] IntVector& upper) {
 #if HWY_TARGET == HWY_NEON
-    lower.raw = vmlal_s16(lower.raw, vget_low_s16(a.raw), vget_low_s16(b.raw));
-    upper.raw = vmlal_high_s16(upper.raw, a.raw, b.raw);
+  lower = IntVector(vmlal_s16(lower.raw, vget_low_s16(a.raw), vget_low_s16(b.raw)));
+  upper = IntVector(vmlal_high_s16(upper.raw, a.raw, b.raw));
 #elif HWY_ARCH_X86
-    lower = hn::ReorderWidenMulAccumulate(Int(), a, b, lower, upper);
+  lower = hn::ReorderWidenMulAccumulate(Int(), a, b, lower, upper);
 #else
-    const IntVector first = hn::BitCast(Int(), a), second = hn::BitCast(Int(), b);
-    const auto even = [](IntVector v) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(v)); };
-    lower = hn::Add(lower, hn::Mul(even(first), even(second)));
-    lower = hn::Add(lower, hn::Mul(hn::ShiftRight<16>(first), hn::ShiftRight<16>(second)));
+  const IntVector first = hn::BitCast(Int(), a), second = hn::BitCast(Int(), b);
+  const auto even = [](IntVector v) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(v)); };
+  lower = hn::Add(lower, hn::Mul(even(first), even(second)));
+  lower = hn::Add(lower, hn::Mul(hn::ShiftRight<16>(first), hn::ShiftRight<16>(second)));
 #endif
-  }
-  HWY_INLINE IntVector total() const {
+}
+
+/// The sum of each pair.
+HWY_INLINE IntVector sum_pairs(IntVector lower, [[maybe_unused]] IntVector upper) {
 #if HWY_TARGET == HWY_NEON
-    return IntVector(vpaddq_s32(lower.raw, upper.raw));
+  return IntVector(vpaddq_s32(lower.raw, upper.raw));
 #else
-    return lower;
+  return lower;
 #endif
-  }
-};
+}
 
 /// Sums of products for kRows tiles and two vectors of output channels.
 template <int kRows>
@@ -150,22 +148,21 @@ HWY_INLINE void multiply_block(const std::int16_t* HWY_RESTRICT inputs, int chan
                                int outputs_per_tile) {
   const Int d;
   const Short shorts;
-  PairSums sums[kRows][2];
-  for (auto& of_tile : sums) {
-    for (PairSums& sum : of_tile) sum.lower = sum.upper = hn::Zero(d);
-  }
+  IntVector lower[kRows][2], upper[kRows][2];
+  for (int r = 0; r < kRows; ++r) lower[r][0] = lower[r][1] = upper[r][0] = upper[r][1] = hn::Zero(d);
   for (int c = 0; c < channels; c += 2, weights += 2 * kIntegerWinogradStrip) {
     const ShortVector first = hn::LoadU(shorts, weights), second = hn::LoadU(shorts, weights + kShorts);
     for (int r = 0; r < kRows; ++r) {
       std::int32_t pair = 0;
       std::memcpy(&pair, inputs + r * channels + c, sizeof pair);
       const ShortVector both = hn::BitCast(shorts, hn::Set(d, pair));
-      sums[r][0].add(both, first);
-      sums[r][1].add(both, second);
+      add_pairs(both, first, lower[r][0], upper[r][0]);
+      add_pairs(both, second, lower[r][1], upper[r][1]);
     }
   }
   for (int r = 0; r < kRows; ++r) {
-    for (int i = 0; i < 2; ++i) hn::StoreU(sums[r][i].total(), d, outputs + r * outputs_per_tile + i * kInts);
+    for (int i = 0; i < 2; ++i)
+      hn::StoreU(sum_pairs(lower[r][i], upper[r][i]), d, outputs + r * outputs_per_tile + i * kInts);
   }
 }
 
