@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "motion/cell_mask.hpp"
+#include "motion/covered_holes.hpp"
 #include "motion/resting_surfaces.hpp"
 #include "segmentation/propagation/propagation_frame.hpp"
 #include "segmentation/propagation/tile_map.hpp"
@@ -54,8 +55,9 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     belief_.add_opinion(cells_of(input.moving), 2);
     belief_.add_opinion(segmented, 2, true);
     belief_.smooth(frame.grid);
+    const std::vector<std::uint8_t> covered = find_covered_holes(scene_, geometry_, frame);
     for (std::size_t i = 0; i < findings.size(); ++i) {
-      doubtful_[i] = belief_.moves(i) || (findings[i].fresh > 0 && findings[i].known == 0) ? 1 : 0;
+      doubtful_[i] = covered[i] != 0 || belief_.moves(i) || (findings[i].fresh > 0 && findings[i].known == 0) ? 1 : 0;
     }
     if (input.trusted) {
       scene_.learn(frame);

@@ -146,7 +146,6 @@ void StaticScene::find_receding(const SceneFrame& earlier, const SceneFrame& fra
   });
 }
 
-/// Within the range of what is around the cell: the pose is right to about a cell.
 bool StaticScene::looks_alike(const SceneView& view, int cell, float grey) const {
   constexpr float kNoise = 12;
   const auto i = static_cast<std::size_t>(cell);

@@ -86,8 +86,14 @@ class StaticScene {
   /// Remembers a frame. `rest`: how long each cell's surface has rested [s]; `doubtful`: see SceneView.
   void add(const SceneFrame& frame, std::vector<float> rest, std::vector<std::uint8_t> doubtful);
 
+  /// Whether a brightness is one that a cell of a view may have, by what is around it: the pose is right to
+  /// about a cell.
+  bool looks_alike(const SceneView& view, int cell, float grey) const;
+
   bool empty() const { return views_.empty(); }
   const std::vector<SceneView>& views() const { return views_; }
+  /// The views that `choose` has chosen.
+  const std::vector<std::size_t>& chosen() const { return chosen_; }
   /// Differences of depth within this are noise [m].
   float tolerance(float depth) const {
     return static_cast<float>(settings_.depth_tolerance) +
@@ -95,7 +101,6 @@ class StaticScene {
   }
 
  private:
-  bool looks_alike(const SceneView& view, int cell, float grey) const;
   void learn_from(const SceneFrame& frame, SceneView& view);
   std::vector<float> changed_share(const SceneFrame& frame, const SceneView& view,
                                    const std::vector<int>& again) const;

@@ -130,6 +130,7 @@ TrackingStatus Pipeline::locate(TrackedFrame& frame, StageTimes& times) {
   last_keyframe_ = local_map_.reference;
   active_map_ = back_end_.atlas().map_of(last_keyframe_);
   unknown_frames_ = 0;
+  settled_ = false;
   return TrackingStatus::ok;
 }
 

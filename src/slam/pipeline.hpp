@@ -103,11 +103,12 @@ class Pipeline {
   Tracker tracker_;
   Relocaliser relocaliser_;
   LocalMap local_map_;
-  cv::Mat segmented_;                     ///< the present frame's mask of the segmenter; empty: none
-  cv::Mat moving_;                        ///< what was expected to move in it; empty: nothing
-  SeenFrame seen_;                        ///< in the last frame, for drawing
-  bool covered_ = false;                  ///< most of the view moved when it was last tracked
-  int unsupported_frames_ = 0;            ///< tracked in a row by temporary points alone
+  cv::Mat segmented_;           ///< the present frame's mask of the segmenter; empty: none
+  cv::Mat moving_;              ///< what was expected to move in it; empty: nothing
+  SeenFrame seen_;              ///< in the last frame, for drawing
+  bool settled_ = true;         ///< false: most matches have contradicted the pose since the camera was found
+  bool covered_ = false;        ///< most of the view moved when it was last tracked
+  int unsupported_frames_ = 0;  ///< tracked in a row by temporary points alone
   bool landmarks_removed_ = false;        ///< since the snapshot was made
   std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark
   int observed_frame_ = -1;               ///< the last one whose motion was looked for

@@ -73,6 +73,7 @@ void Pipeline::make_keyframe(TrackedFrame& frame, MapId map) {
   last_keyframe_frame_ = frame.index;
   active_map_ = map;
   unknown_frames_ = 0;
+  settled_ = true;
   refresh_local_map(frame.landmarks);
   tracker_.remember(frame, last_keyframe_, frame.cam_from_world);
   back_end_.map_keyframe(last_keyframe_, first_landmark, frame.index);

@@ -62,6 +62,10 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   }
   if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
   if (!motion_) return;
+  // Just found again, the camera may be some centimetres off as long as most matches contradict its pose.
+  constexpr double kAgreeing = 0.25;
+  settled_ = settled_ || frame.inliers >= kAgreeing * frame.matches;
+  if (!settled_) result.status = TrackingStatus::uncertain;
   const Pose cam_from_world =
       back_end_.snapshot().cam_from_world(local_map_.reference, from_reference(frame));
   const auto agreement = motion_->agreement(cam_from_world, active_map_);
