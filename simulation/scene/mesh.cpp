@@ -30,4 +30,23 @@ void Mesh::finish_patch(int columns, int rows, int material) {
   patches.push_back(patch);
 }
 
+int Mesh::move_within(const Eigen::AlignedBox3f& region, const Pose& new_from_old) {
+  const Eigen::Matrix3f rotation = new_from_old.rotation_matrix().cast<float>();
+  const Eigen::Vector3f translation = new_from_old.translation.cast<float>();
+  int moved = 0;
+  for (const Patch& patch : patches) {
+    const std::size_t first = patch.first_vertex,
+                      last = first + static_cast<std::size_t>(patch.columns + 1) * (patch.rows + 1);
+    bool inside = true;
+    for (std::size_t v = first; v < last && inside; ++v) inside = region.contains(positions[v]);
+    if (!inside) continue;
+    ++moved;
+    for (std::size_t v = first; v < last; ++v) {
+      positions[v] = rotation * positions[v] + translation;
+      normals[v] = rotation * normals[v];
+    }
+  }
+  return moved;
+}
+
 }  // namespace stdc::simulation

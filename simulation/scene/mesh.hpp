@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include "core/pose.hpp"
 
 namespace stdc::simulation {
 
@@ -28,6 +31,9 @@ struct Mesh {
   /// Adds a patch whose (columns + 1) * (rows + 1) vertices the caller has just appended to positions,
   /// normals and uvs; measures its width and height and makes its quads.
   void finish_patch(int columns, int rows, int material);
+  /// Moves the patches that lie wholly in a region, as one: new_from_old.
+  /// @returns how many
+  int move_within(const Eigen::AlignedBox3f& region, const Pose& new_from_old);
 };
 
 }  // namespace stdc::simulation

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace stdc::simulation {
 namespace {
 
@@ -53,6 +55,21 @@ TEST_F(RoomTest, PatchesCoverTheQuadsAndNameMaterialsAndTexturesThatExist) {
     EXPECT_GE(material.infrared_return, 0);
     EXPECT_LE(material.infrared_return, 1);
   }
+}
+
+TEST_F(RoomTest, FurnitureCanBeMoved) {
+  Mesh mesh = world().mesh;
+  const auto count_in = [&](const Eigen::AlignedBox3f& region) {
+    return std::count_if(mesh.positions.begin(), mesh.positions.end(),
+                         [&](const Eigen::Vector3f& p) { return region.contains(p); });
+  };
+  const Eigen::AlignedBox3f desk({0, 0.15F, 0.01F}, {1.45F, 1.0F, 1.6F});  // and all that is on it
+  const auto before = count_in(desk);
+  EXPECT_GT(mesh.move_within(desk, Pose(Eigen::Quaterniond::Identity(), {3, 0, 0})), 50);
+  EXPECT_LT(count_in(desk), before / 10) << "what it shares with its neighbours stays";
+  EXPECT_EQ(
+      mesh.move_within(Eigen::AlignedBox3f(Eigen::Vector3f(9, 9, 9), Eigen::Vector3f(10, 10, 10)), Pose()),
+      0);
 }
 
 TEST_F(RoomTest, TheVisitorsChairIsThereOnlyIfWanted) {

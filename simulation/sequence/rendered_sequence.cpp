@@ -18,6 +18,12 @@ constexpr double kBlurSeconds = 1.0 / 60;  // exposure time with motion blur
 constexpr int kBlurSamples = 6;
 constexpr float kExposure = 1.55F;
 
+Room furnished_room(Preset preset, const RenderSettings& settings) {
+  Room room = make_room(settings.seed, has_visitor_chair(preset));
+  if (settings.refurnish) settings.refurnish(room.world);
+  return room;
+}
+
 }  // namespace
 
 Camera default_render_camera() {
@@ -37,7 +43,7 @@ class RenderedSequence::Setup {
         settings(chosen_settings),
         camera(checked(settings.camera.value_or(default_render_camera()))),
         motion(motion_of(preset), settings.seed),
-        room(make_room(settings.seed, has_visitor_chair(preset))),
+        room(furnished_room(preset, settings)),
         scene(room.world.mesh, TreeQuality::good),
         light(room.world, scene),
         shader(room.world, light),

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/camera.hpp"
 #include "core/pose.hpp"
 #include "core/rgbd_image.hpp"
+#include "simulation/scene/world.hpp"
 #include "simulation/sequence/preset.hpp"
 
 namespace stdc::simulation {
@@ -16,6 +18,7 @@ struct RenderSettings {
   bool with_people = true;       ///< false: the same room and camera motion, all static, without movers
   bool motion_blur = false;      ///< expose over 1/60 s instead of an instant
   std::optional<Camera> camera;  ///< default: default_render_camera()
+  std::function<void(World&)> refurnish;  ///< changes the room, before its light is found; empty: does not
 };
 
 /// 640 x 480, 30 Hz, the focal lengths of TUM's freiburg3 camera without lens distortion.

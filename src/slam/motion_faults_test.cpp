@@ -2,6 +2,7 @@
 // is right, and what cannot be known is said to be so.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <opencv2/imgproc.hpp>
 
 #include "core/random.hpp"
@@ -161,6 +162,32 @@ TEST(MotionFaults, WhatWasTakenAwayLosesItsLandmarks) {
   for (int i = 0; i < 30; ++i) walk.see(0);
   walk.slam.finish();
   EXPECT_LT(near_landmarks(), 5);
+}
+
+// Boards pass all the time, each with another print: none of them may stay in the map.
+TEST(MotionFaults, ABusyRoomDoesNotFillTheMap) {
+  constexpr int kRounds = 6, kFar = 40;
+  Walk walk(without_segmentation());
+  walk.go(0, kFar);  // the map begins in peace
+  walk.go(kFar - 1, 1);
+  std::array<int, kRounds> landmarks{}, keyframes{};
+  for (int round = 0; round < kRounds; ++round) {
+    const Board left(70, 200, 1.0, 20 + round), right(60, 200, 1.2, 40 + round);
+    int i = 0;
+    const auto busy = [&](RgbdImage& image) {
+      left.paste(image, -70 + 8 * (i % 50), 30);
+      right.paste(image, 320 - 7 * (i % 55), 40);
+      ++i;
+    };
+    walk.go(0, kFar, busy);
+    walk.go(kFar - 1, 1, busy);
+    walk.slam.finish();
+    landmarks[round] = walk.slam.landmarks();
+    keyframes[round] = walk.slam.keyframes();
+  }
+  EXPECT_LT(walk.worst_error({0}, 0), 0.05);
+  EXPECT_LT(landmarks[kRounds - 1], 1.2 * landmarks[2]) << testing::PrintToString(landmarks);
+  EXPECT_LT(keyframes[kRounds - 1], 1.2 * keyframes[2]) << testing::PrintToString(keyframes);
 }
 
 }  // namespace
