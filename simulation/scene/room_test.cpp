@@ -63,7 +63,8 @@ TEST_F(RoomTest, FurnitureCanBeMoved) {
     return std::count_if(mesh.positions.begin(), mesh.positions.end(),
                          [&](const Eigen::Vector3f& p) { return region.contains(p); });
   };
-  const Eigen::AlignedBox3f desk({0, 0.15F, 0.01F}, {1.45F, 1.0F, 1.6F});  // and all that is on it
+  const Eigen::AlignedBox3f desk(Eigen::Vector3f(0, 0.15F, 0.01F),
+                                 Eigen::Vector3f(1.45F, 1.0F, 1.6F));  // and all that is on it
   const auto before = count_in(desk);
   EXPECT_GT(mesh.move_within(desk, Pose(Eigen::Quaterniond::Identity(), {3, 0, 0})), 50);
   EXPECT_LT(count_in(desk), before / 10) << "what it shares with its neighbours stays";
