@@ -9,7 +9,7 @@ namespace stdc {
 namespace {
 
 // Smaller holes are common: screens that show or mirror something else, surfaces that shine.
-constexpr float kMinShare = 0.15F;  // of the view
+constexpr float kMinHoleShare = 0.15F;  // of the view
 
 /// Of a hole's cells those that a view compares, and those that look otherwise in it.
 struct HoleLooks {
@@ -62,7 +62,7 @@ void drop_small(cv::Mat& cells, int min_cells) {
 std::vector<std::uint8_t> find_covered_holes(const StaticScene& scene, const GridGeometry& geometry,
                                              const SceneFrame& frame) {
   std::vector<std::uint8_t> covered(frame.grid.depth.size(), 0);
-  const int min_cells = static_cast<int>(kMinShare * static_cast<float>(geometry.size()));
+  const int min_cells = static_cast<int>(kMinHoleShare * static_cast<float>(geometry.size()));
   const auto holes = std::count(frame.grid.depth.begin(), frame.grid.depth.end(), 0.0F);
   // While the camera turns fast, blur changes the looks of all.
   if (holes < min_cells || frame.grid.grey.empty() || frame.grid.reach > 1) return covered;

@@ -57,7 +57,8 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     belief_.smooth(frame.grid);
     const std::vector<std::uint8_t> covered = find_covered_holes(scene_, geometry_, frame);
     for (std::size_t i = 0; i < findings.size(); ++i) {
-      doubtful_[i] = covered[i] != 0 || belief_.moves(i) || (findings[i].fresh > 0 && findings[i].known == 0) ? 1 : 0;
+      doubtful_[i] =
+          covered[i] != 0 || belief_.moves(i) || (findings[i].fresh > 0 && findings[i].known == 0) ? 1 : 0;
     }
     if (input.trusted) {
       scene_.learn(frame);
