@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "core/error.hpp"
@@ -195,6 +196,8 @@ double seconds_of(const py::handle& time, const std::string& where) {
       std::string(py::str(time.attr("dtype").attr("kind"))) == "M") {
     const auto nanoseconds =
         time.attr("astype")("datetime64[ns]").attr("astype")("int64").cast<std::int64_t>();
+    if (nanoseconds == std::numeric_limits<std::int64_t>::min())
+      throw Error(where, "is not a time (NaT)", kHint);
     return 1e-9 * static_cast<double>(nanoseconds);
   }
   if (py::hasattr(time, "timestamp")) return time.attr("timestamp")().cast<double>();

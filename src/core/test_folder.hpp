@@ -1,13 +1,13 @@
 #pragma once
 
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "core/error.hpp"
+#include "core/unique_folder.hpp"
 
 namespace stdc::test {
 
@@ -15,9 +15,9 @@ namespace stdc::test {
 class TestFolder {
  public:
   TestFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "stdc-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder: " + pattern);
-    path_ = pattern;
+    std::error_code failed;
+    path_ = make_unique_folder(std::filesystem::temp_directory_path() / "stdc-test", failed);
+    if (failed) throw std::runtime_error("no temporary folder: " + failed.message());
   }
   ~TestFolder() {
     std::error_code ignored;

@@ -21,24 +21,6 @@ constexpr std::size_t kLiveFrames = 3, kFramesAhead = 8;
 /// The same until tracking begins: the cameras are looked for by the first frames.
 constexpr std::size_t kFirstFrames = 15;
 
-bool is_compressed(const std::string& topic) {
-  return topic.ends_with("/compressed") || topic.ends_with("/compressedDepth");
-}
-
-/// By the names that ROS 2's image transports give.
-const char* image_type(const std::string& topic) {
-  return is_compressed(topic) ? "sensor_msgs/msg/CompressedImage" : "sensor_msgs/msg/Image";
-}
-
-/// In the order of CameraStream.
-std::vector<CameraSearch::Topic> topics_by_stream(const CameraTopics& topics) {
-  return {{topics.colour, image_type(topics.colour)},
-          {topics.depth, image_type(topics.depth)},
-          {topics.colour_info, "sensor_msgs/msg/CameraInfo"},
-          {topics.depth_info, "sensor_msgs/msg/CameraInfo"},
-          {"/tf_static", "tf2_msgs/msg/TFMessage"}};
-}
-
 std::unique_ptr<StampPairing> make_pairing(const Ros2SourceOptions& options) {
   const auto tolerance = static_cast<std::int64_t>(1e9 * options.max_difference);
   const bool live = options.reception != Reception::every_frame;
@@ -181,7 +163,6 @@ bool Ros2Source::goes_forward(CameraStream stream, std::int64_t stamp) {
 }
 
 void Ros2Source::hand_on_pairs() {
-  constexpr std::size_t kRemembered = 256;
   while (has_room()) {
     auto pair = pairing_->next();
     if (!pair) return;
@@ -191,8 +172,7 @@ void Ros2Source::hand_on_pairs() {
     frame.depth_timestamp = seconds_of(pair->second.stamp);
     frame.name = stamp_text(colour.stamp);
     frame.where = colour.where();
-    given_.push_back({frame.timestamp, colour.stamp, Clock::now()});
-    if (given_.size() > kRemembered) given_.pop_front();
+    given_.add(frame.timestamp, colour.stamp, Clock::now());
     frame.images =
         pack_images(std::move(colour), {depth_topic_, std::move(pair->second.data), pair->second.stamp});
     queue_.push(std::move(frame));
@@ -292,22 +272,14 @@ TransformTree Ros2Source::transforms() const {
   return transforms_;
 }
 
-const Ros2Source::Given* Ros2Source::given(double timestamp) const {
-  const auto found = std::find_if(given_.rbegin(), given_.rend(),
-                                  [&](const Given& frame) { return frame.timestamp == timestamp; });
-  return found == given_.rend() ? nullptr : &*found;
-}
-
 std::int64_t Ros2Source::stamp_of(double timestamp) const {
   const std::lock_guard lock(mutex_);
-  const Given* frame = given(timestamp);
-  return frame != nullptr ? frame->stamp : static_cast<std::int64_t>(1e9 * timestamp);
+  return given_.stamp_of(timestamp);
 }
 
 std::optional<Clock::time_point> Ros2Source::arrival_of(double timestamp) const {
   const std::lock_guard lock(mutex_);
-  const Given* frame = given(timestamp);
-  return frame != nullptr ? std::optional(frame->arrival) : std::nullopt;
+  return given_.arrival_of(timestamp);
 }
 
 }  // namespace stdc::ros2

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -13,6 +12,8 @@
 #include "input/recordings/stamp_pairing.hpp"
 #include "input/recordings/transform_tree.hpp"
 #include "ros2/camera_search.hpp"
+#include "ros2/camera_topics.hpp"
+#include "ros2/given_frames.hpp"
 #include "ros2/node.hpp"
 
 namespace stdc::ros2 {
@@ -22,10 +23,6 @@ enum class Reception {
   best_effort,  ///< what is lost is lost: ROS 2's profile for sensor data; connects with every publisher
   reliable,     ///< lost messages are sent again; connects with reliable publishers only
   every_frame,  ///< reliable, and the publisher waits for us (if it keeps all): to play back a recording
-};
-
-struct CameraTopics {
-  std::string colour, depth, colour_info, depth_info;  ///< full names
 };
 
 struct Ros2SourceOptions {
@@ -88,12 +85,6 @@ class Ros2Source : public FrameSource {
   std::optional<std::chrono::steady_clock::time_point> arrival_of(double timestamp) const;
 
  private:
-  struct Given {
-    double timestamp = 0;
-    std::int64_t stamp = 0;
-    std::chrono::steady_clock::time_point arrival;
-  };
-
   void subscribe(const CameraTopics& topics);
   void work();
   bool has_room() const;
@@ -103,7 +94,6 @@ class Ros2Source : public FrameSource {
   void add_image(CameraStream stream, std::vector<std::uint8_t> data);
   bool goes_forward(CameraStream stream, std::int64_t stamp);
   void hand_on_pairs();
-  const Given* given(double timestamp) const;
 
   Node& node_;
   Ros2SourceOptions options_;
@@ -118,7 +108,7 @@ class Ros2Source : public FrameSource {
   bool search_is_over_ = false;
   std::unique_ptr<StampPairing> pairing_;
   std::optional<std::int64_t> last_stamp_[2];  ///< of colour and depth [ns]
-  std::deque<Given> given_;
+  GivenFrames given_;
   ReceptionCounts counts_;
   std::string image_frame_;
   TransformTree transforms_;

@@ -61,7 +61,8 @@ void MeshPainter::run() {
   }
 }
 
-/// @return the milliseconds of CPU time that it took: what else the machine does is no reason for large voxels
+/// @return the milliseconds of CPU time that it took: what else the machine does is no reason for large
+/// voxels
 double MeshPainter::make(const Slam::DenseSoFar& dense) {
   const double begin = thread_cpu_ms();
   voxel_ = std::max({voxel_, kVoxel, dense.settings.voxel});

@@ -95,7 +95,8 @@ inline std::string frame(std::string_view text, std::uint8_t opcode = 1) {
   return bytes + std::string(4, '\0') + std::string(text);
 }
 
-/// Takes the first message of a server off the bytes and gives what it carries; nothing if it is not whole yet.
+/// Takes the first message of a server off the bytes and gives what it carries; nothing if it is not whole
+/// yet.
 inline std::optional<std::string> take_frame(std::string& bytes) {
   const auto byte = [&bytes](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
   if (bytes.size() < 2) return std::nullopt;

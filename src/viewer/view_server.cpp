@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 #include <utility>
 
 #include "viewer/keyframe_images.hpp"
@@ -101,7 +100,7 @@ class ViewServer::Impl {
     constexpr auto kMax = std::chrono::seconds(2);
     const auto end = Clock::now() + kMax;
     painter_.drain(kMax);
-    while (Clock::now() < end && !web_.all_up_to_date()) std::this_thread::sleep_for(kGlance);
+    web_.wait_until_up_to_date(std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()));
   }
 
  private:
@@ -172,7 +171,8 @@ void ViewServer::show(const RgbdImage* image, const TrackingResult& result, cons
 }
 
 void ViewServer::wait_for_page(const std::function<bool()>& give_up) const {
-  while (impl_->web().wanted() == 0 && !(give_up && give_up())) std::this_thread::sleep_for(kGlance);
+  while (!impl_->web().wait_until_wanted(kGlance) && !(give_up && give_up())) {
+  }
 }
 
 void ViewServer::finish(const Slam& slam, const std::vector<LoopReport>& loops) {

@@ -103,7 +103,8 @@ TEST(ViewServer, ResultsAreTheSameWithPagesAndWithout) {
     }
     view->finish(slam, slam.finish());
     for (const auto& page : pages) {
-      EXPECT_TRUE(page->has({ViewTopic::state, ViewTopic::frames, ViewTopic::image, ViewTopic::map, ViewTopic::mesh}));
+      EXPECT_TRUE(page->has(
+          {ViewTopic::state, ViewTopic::frames, ViewTopic::image, ViewTopic::map, ViewTopic::mesh}));
     }
     view.reset();
   }

@@ -29,8 +29,10 @@ void WebClient::run() {
     if (const auto piece = feed_.next_piece()) {
       if (line_.send(*piece)) continue;
       dead_ = true;
+      line_.done();
       return;
     }
+    line_.done();
     board_.wait(seen, kIdle);
   }
   if (goodbye_) line_.say_goodbye();

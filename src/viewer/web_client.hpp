@@ -15,6 +15,7 @@ class WebClient {
   struct Line {
     std::function<bool(const std::string& message)> send;  ///< waits for the line; false: it is dead
     std::function<void()> say_goodbye;
+    std::function<void()> done;  ///< all that there is has been sent, or nothing can be
   };
   WebClient(ViewBoard& board, Line line);
   ~WebClient();

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <thread>
+#include <future>
 #include <utility>
 
 #include "viewer/listening.hpp"
@@ -65,16 +65,10 @@ struct WebServer::Context {
   }
   /// civetweb looks every two seconds whether it is to stop, or when somebody calls: so we call.
   void stop() {
-    std::atomic<bool> done = false;
-    std::thread stopping([&] {
-      mg_stop(context);
-      done = true;
-    });
-    while (!done) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      if (!done) call_and_hang_up(address);
+    const auto stopped = std::async(std::launch::async, [this] { mg_stop(context); });
+    while (stopped.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) {
+      call_and_hang_up(address);
     }
-    stopping.join();
   }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -124,6 +118,7 @@ struct WebCallbacks {
       mg_websocket_write(connection, MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE, kGoingAway.data(),
                          kGoingAway.size());
     };
+    line.done = [&server] { server.changed(); };
     auto client = std::make_unique<WebClient>(server.board_, std::move(line));
     mg_set_user_connection_data(connection, client.get());
     server.open(std::move(client));
@@ -191,14 +186,13 @@ WebServer::WebServer(const WebAddress& address, ViewAccess access, ViewBoard& bo
 }
 
 WebServer::~WebServer() {
-  constexpr auto kPatience = std::chrono::milliseconds(500), kLook = std::chrono::milliseconds(5);
+  constexpr auto kPatience = std::chrono::milliseconds(500);
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
     for (const auto& client : open_) client->end();
+    // Pages answer a goodbye by hanging up; those that do not are hung up on.
+    changed_.wait_for(lock, kPatience, [this] { return open_.empty(); });
   }
-  // Pages answer a goodbye by hanging up; those that do not are hung up on.
-  const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (clients_ > 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLook);
   context_.reset();
 }
 
@@ -237,16 +231,31 @@ void WebServer::close(WebClient* client) {
 }
 
 void WebServer::update_wanted() {
-  const std::lock_guard lock(mutex_);
-  std::uint32_t wanted = 0;
-  for (const auto& client : open_) wanted |= client->feed().wanted();
-  wanted_ = wanted;
+  {
+    const std::lock_guard lock(mutex_);
+    std::uint32_t wanted = 0;
+    for (const auto& client : open_) wanted |= client->feed().wanted();
+    wanted_ = wanted;
+  }
+  changed_.notify_all();
 }
 
-bool WebServer::all_up_to_date() const {
-  const std::lock_guard lock(mutex_);
-  return std::all_of(open_.begin(), open_.end(),
-                     [](const auto& client) { return client->dead() || client->feed().up_to_date(); });
+void WebServer::changed() {
+  { const std::lock_guard lock(mutex_); }  // who is about to wait has either seen the change or waits by now
+  changed_.notify_all();
+}
+
+bool WebServer::wait_until_wanted(std::chrono::milliseconds max) const {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, max, [this] { return wanted_ != 0; });
+}
+
+bool WebServer::wait_until_up_to_date(std::chrono::milliseconds max) const {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, max, [this] {
+    return std::all_of(open_.begin(), open_.end(),
+                       [](const auto& client) { return client->dead() || client->feed().up_to_date(); });
+  });
 }
 
 }  // namespace stdc

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -42,8 +44,10 @@ class WebServer {
   int connections() const { return connections_; }
   /// What some page wants: a sum of ViewWant.
   std::uint32_t wanted() const { return wanted_; }
-  /// Whether all pages have all that there is.
-  bool all_up_to_date() const;
+  /// Waits until some page wants something; false: none did in that time.
+  bool wait_until_wanted(std::chrono::milliseconds max) const;
+  /// Waits until all pages have all that there is.
+  bool wait_until_up_to_date(std::chrono::milliseconds max) const;
 
  private:
   friend struct WebCallbacks;
@@ -53,6 +57,7 @@ class WebServer {
   void receive(WebClient& client, const ViewRequest& request);
   void close(WebClient* client);
   void update_wanted();
+  void changed();
 
   ViewAccess access_;
   ViewBoard& board_;
@@ -61,6 +66,8 @@ class WebServer {
   std::atomic<std::uint32_t> wanted_ = 0;
   int port_ = 0;
   mutable std::mutex mutex_;
+  mutable std::condition_variable
+      changed_;  ///< a page came, went, asked for something, or has all that there is
   std::vector<std::unique_ptr<WebClient>> open_;
   std::unique_ptr<Context> context_;  ///< last: its threads use what is above
 };

@@ -1,13 +1,12 @@
 #include "run/live_slam.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/unique_folder.hpp"
 
 namespace stdc::app {
 namespace {
@@ -19,11 +18,9 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::error_code failed;
-    std::string pattern = (fs::temp_directory_path(failed) / "stdc-slam-XXXXXX").string();
-    if (failed || mkdtemp(pattern.data()) == nullptr) {
-      throw Error("TMPDIR", "no file can be made there", "free space there, or set TMPDIR");
-    }
-    path_ = pattern;
+    const fs::path parent = fs::temp_directory_path(failed);
+    if (!failed) path_ = make_unique_folder(parent / "stdc-slam", failed);
+    if (failed) throw Error("TMPDIR", "no file can be made there", "free space there, or set TMPDIR");
   }
   ~TemporaryFolder() {
     std::error_code ignored;

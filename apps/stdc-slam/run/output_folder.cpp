@@ -1,7 +1,6 @@
 #include "run/output_folder.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,6 +9,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/unique_folder.hpp"
 
 namespace stdc::app {
 namespace fs = std::filesystem;
@@ -28,11 +28,9 @@ OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   if (!fs::is_directory(folder_, failed)) {
     throw Error(folder_.string(), "is not a folder", "give another --output");
   }
-  std::string pattern = (folder_ / ".partial-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    throw Error(folder_.string(), fmt::format("cannot be written to ({})", std::strerror(errno)), kHint);
-  }
-  hidden_ = pattern;
+  hidden_ = make_unique_folder(folder_ / ".partial", failed);
+  if (failed)
+    throw Error(folder_.string(), fmt::format("cannot be written to ({})", failed.message()), kHint);
 }
 
 OutputFolder::~OutputFolder() {

@@ -1,23 +1,23 @@
 import { currentTheme } from "./colours";
-import { Chart, ChartData } from "./chart";
 import { Connection } from "./connection";
-import { okabe } from "./colours";
+import { Curves } from "./curves";
 import { Model } from "./model";
 import { Picture } from "./picture";
 import { drawPlan } from "./plan";
 import * as protocol from "./protocol";
-import { Status, Topic, Want } from "./protocol";
-import { Layer, Scene3D, ViewMode } from "./scene";
+import { Topic, Want } from "./protocol";
+import { Layer, Scene3D } from "./scene";
+import { ViewMode } from "./viewpoint";
 import { wordsFor } from "./words";
 
 const element = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 const model = new Model();
 let connected = false, ended = false, stranger = "";
-let hover: number | null = null, wholeRun = false;
 let scene: Scene3D | null = null;
 
 const picture = new Picture(element<HTMLCanvasElement>("picture"), { depth: false, points: true, masks: true },
   (image) => scene?.setImage(image));
+const curves = new Curves(model, () => { dirty.curves = true; });
 
 // ---- three dimensions, or a plan where there is no WebGL
 
@@ -55,72 +55,6 @@ function showKeyframe(bytes: Uint8Array) {
   if (image) picture.src = keyframeUrl = URL.createObjectURL(image);
   element("keyframe-note").textContent =
     `${shared} edges to others${image ? "" : ". Its image is no longer kept"}`;
-}
-
-// ---- curves
-
-interface Curve { chart: Chart; data(first: number): ChartData; value: HTMLElement; say(index: number): string }
-
-const percent = (share: number) => `${(100 * share).toFixed(share > 0.995 && share < 1 ? 2 : 0)} %`;
-
-function statusColour(status: Status): string | null {
-  switch (status) {
-    case Status.uncertain: return okabe.orange;
-    case Status.lost: return okabe.vermillion;
-    case Status.skipped: return "#888888";
-    case Status.initialising: return "#bbbbbb";
-    default: return null;
-  }
-}
-
-function curve(id: string, make: (first: number) => Omit<ChartData, "count" | "first">, say: (index: number) => string): Curve {
-  return {
-    chart: new Chart(element<HTMLCanvasElement>(`chart-${id}`), (index) => { hover = index; dirty.curves = true; }),
-    data: (first) => ({ ...make(first), count: model.frames.length, first }),
-    value: element(`value-${id}`),
-    say,
-  };
-}
-
-const frameAt = (index: number) => model.frames[index]!;
-const curves: Curve[] = [
-  curve("time", () => ({
-    series: [{ colour: currentTheme().path, value: (i) => frameAt(i).ms }],
-    limit: { value: model.period, label: `camera ${model.period.toFixed(0)} ms` },
-    marks: (i) => (frameAt(i).ms > model.period ? okabe.vermillion : null),
-    format: (v) => `${v.toFixed(0)} ms`,
-  }), (i) => `${frameAt(i).ms.toFixed(1)} ms`),
-  curve("inliers", () => ({
-    series: [{ colour: currentTheme().keyframe, value: (i) => frameAt(i).inliers }],
-    format: (v) => v.toFixed(0),
-  }), (i) => `${frameAt(i).inliers}`),
-  curve("dynamic", () => ({
-    series: [
-      { colour: okabe.purple, value: (i) => frameAt(i).network },
-      { colour: okabe.orange, dashed: true, value: (i) => frameAt(i).motion },
-    ],
-    max: Math.max(0.25, ...model.frames.slice(-2000).map((f) => Math.max(f.network, f.motion))),
-    format: percent,
-  }), (i) => `network ${percent(frameAt(i).network)}, motion ${percent(frameAt(i).motion)}`),
-  curve("coverage", () => ({
-    series: [{ colour: currentTheme().ink, value: (i) => model.coverage[i]! }],
-    max: 1, min: 0,
-    marks: (i) => statusColour(frameAt(i).status),
-    format: percent,
-  }), (i) => percent(model.coverage[i]!)),
-];
-
-function drawCurves() {
-  const count = model.frames.length, theme = currentTheme();
-  const first = wholeRun ? 0 : Math.max(0, count - 600);
-  for (const one of curves) {
-    one.chart.setHover(hover);
-    one.chart.draw(one.data(first), theme);
-    const index = hover !== null && hover < count ? hover : count - 1;
-    one.value.textContent = index >= 0 ? one.say(index) : "";
-  }
-  const named = hover !== null && hover < count ? `frame ${frameAt(hover).frame}` : "";
-  element("hovered").textContent = named;
 }
 
 // ---- words
@@ -181,7 +115,7 @@ const dirty = { words: true, curves: true, path: true };
 function draw() {
   requestAnimationFrame(draw);
   if (dirty.words) drawWords();
-  if (dirty.curves && element("chart-time").clientWidth > 0) drawCurves();
+  if (dirty.curves) curves.draw();
   if (dirty.path) {
     const posed = model.lastPosed;
     scene?.setPath(model.path());
@@ -316,9 +250,7 @@ function listen() {
     scene?.markPicked(null);
   });
   element("range").addEventListener("click", () => {
-    wholeRun = !wholeRun;
-    element("range").textContent = wholeRun ? "Last 600 frames" : "Whole run";
-    dirty.curves = true;
+    element("range").textContent = curves.toggleRange() ? "Last 600 frames" : "Whole run";
   });
   document.addEventListener("keydown", (event) => {
     if (event.target instanceof HTMLInputElement || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -1,9 +1,8 @@
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, LineBasicMaterial, LineSegments, Matrix4, Mesh as ThreeMesh,
-  MeshBasicMaterial, Object3D, OrthographicCamera, PerspectiveCamera, Points, PointsMaterial, Quaternion, Scene,
+  MeshBasicMaterial, Object3D, Points, PointsMaterial, Quaternion, Scene,
   SRGBColorSpace, Vector3, WebGLRenderer,
 } from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
@@ -11,41 +10,21 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { okabe, Theme } from "./colours";
 import { coarseMesh, drawsInSoftware, sparse, thinned } from "./detail";
+import { frustum } from "./frustum";
 import { Mesh, Pose, RunMap, RunState } from "./protocol";
+import { ViewMode, Viewpoint } from "./viewpoint";
 
 export type Layer = "path" | "truth" | "keyframes" | "covisibility" | "loops" | "landmarks" | "mesh";
-export type ViewMode = "orbit" | "follow" | "top";
-
-const UP = new Vector3(0, -1, 0);  // of the first camera, whose y points down
-
-// Corners and edges of a camera: the tip, then its image's corners from the top left, clockwise.
-function frustum(state: RunState | null, depth: number): { corners: Vector3[]; edges: number[] } {
-  const c = state?.camera ?? { width: 640, height: 480, fx: 525, fy: 525, cx: 320, cy: 240, fps: 30 };
-  const left = (-c.cx / c.fx) * depth, right = ((c.width - c.cx) / c.fx) * depth;
-  const top = (-c.cy / c.fy) * depth, bottom = ((c.height - c.cy) / c.fy) * depth;
-  const corners = [
-    new Vector3(), new Vector3(left, top, depth), new Vector3(right, top, depth),
-    new Vector3(right, bottom, depth), new Vector3(left, bottom, depth),
-  ];
-  return { corners, edges: [0, 1, 0, 2, 0, 3, 0, 4, 1, 2, 2, 3, 3, 4, 4, 1] };
-}
 
 // The map and the camera in three dimensions. Draws only when something has changed.
 export class Scene3D {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly perspective = new PerspectiveCamera(50, 1, 0.02, 500);
-  private readonly orthographic = new OrthographicCamera(-1, 1, 1, -1, -500, 500);
-  private readonly orbit: OrbitControls;
-  private readonly plan: OrbitControls;
-  private mode: ViewMode = "orbit";
-  private touched = false;   // by the user: then the view is left where it is
+  private readonly viewpoint: Viewpoint;
   private dirty = true;
-  private fitted = 0;
   private map: RunMap | null = null;
   private state: RunState | null = null;
   private pose: Pose | null = null;
-  private followed: Vector3 | null = null;
   private readonly software = drawsInSoftware();
   private level = this.software ? 2 : 0;  // of detail while the picture changes: 0 is all of it
   private drawn = 0;         // level of what is seen now
@@ -77,29 +56,13 @@ export class Scene3D {
   // Throws if the browser has no WebGL.
   constructor(private readonly canvas: HTMLCanvasElement, private readonly onPick: (frame: number | null) => void) {
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "high-performance" });
-    this.perspective.up.copy(UP);
-    this.perspective.position.set(0.6, -1.6, -3);
-    this.orthographic.up.set(0, 0, 1);
-    this.orthographic.position.set(0, -50, 0);
-    this.orbit = new OrbitControls(this.perspective, canvas);
-    this.plan = new OrbitControls(this.orthographic, canvas);
-    this.plan.enableRotate = false;
-    this.plan.screenSpacePanning = true;
-    this.plan.mouseButtons.LEFT = 2;   // drag moves the plan
-    this.plan.touches.ONE = 1;
-    for (const controls of [this.orbit, this.plan]) {
-      controls.enableDamping = false;
-      controls.addEventListener("change", () => { this.dirty = true; });
-      controls.addEventListener("start", () => { this.touched = true; });
-    }
-    this.orbit.target.set(0, 0, 1.5);
+    this.viewpoint = new Viewpoint(canvas, () => { this.dirty = true; });
     for (const object of [this.mesh, this.landmarks, this.covisibility, this.keyframes, this.loops, this.truth,
       this.path, this.camera, this.picked]) {
       object.frustumCulled = false;
       object.visible = false;
       this.scene.add(object);
     }
-    this.setMode("orbit");
     this.listenForPicks();
     new ResizeObserver(() => this.resize()).observe(canvas);
     const loop = () => {
@@ -179,14 +142,14 @@ export class Scene3D {
     if (pose) {
       this.camera.position.fromArray(pose.position);
       this.camera.quaternion.fromArray(pose.quaternion);
-      if (this.mode === "follow") this.follow();
+      this.viewpoint.move(pose);
     }
     this.updateVisible();
   }
 
   setPath(points: Float32Array) {
     this.setLine(this.path, points);
-    if (!this.touched && points.length >= 6) this.fitIfGrown(points);
+    if (points.length >= 6) this.viewpoint.fitIfGrown(points.length / 3, this.map);
     this.updateVisible();
   }
 
@@ -273,7 +236,7 @@ export class Scene3D {
 
   // The keyframe whose camera is drawn next to a pixel; no farther than `reach`.
   private pick(x: number, y: number, reach: number) {
-    const map = this.map, camera = this.activeCamera;
+    const map = this.map, camera = this.viewpoint.camera;
     if (!map || !this.shown.keyframes) return;
     let best: number | null = null, nearest = reach;
     const point = new Vector3();
@@ -305,103 +268,24 @@ export class Scene3D {
   // Where on the canvas a keyframe is drawn, for tests.
   placeOfKeyframe(i: number): { x: number; y: number } | null {
     if (!this.map || i >= this.map.keyframeIds.length) return null;
-    const point = new Vector3().fromArray(this.map.keyframePoses, 7 * i).project(this.activeCamera);
+    const point = new Vector3().fromArray(this.map.keyframePoses, 7 * i).project(this.viewpoint.camera);
     return { x: (0.5 + 0.5 * point.x) * this.canvas.clientWidth, y: (0.5 - 0.5 * point.y) * this.canvas.clientHeight };
   }
 
-  private get activeCamera() { return this.mode === "top" ? this.orthographic : this.perspective; }
-
-  setMode(mode: ViewMode) {
-    this.mode = mode;
-    this.orbit.enabled = mode !== "top";
-    this.plan.enabled = mode === "top";
-    this.followed = null;
-    if (mode === "top") this.fit();
-    if (mode === "follow") this.startFollowing();
-    this.dirty = true;
-  }
-
-  // Behind the camera and above it; from there on the view moves along, and can be turned.
-  private startFollowing() {
-    if (!this.pose) return;
-    const centre = new Vector3().fromArray(this.pose.position);
-    const ahead = new Vector3(0, 0, 1).applyQuaternion(new Quaternion().fromArray(this.pose.quaternion));
-    ahead.addScaledVector(UP, -ahead.dot(UP));
-    if (ahead.lengthSq() < 1e-6) ahead.set(0, 0, 1);
-    ahead.normalize();
-    this.orbit.target.copy(centre).addScaledVector(ahead, 0.8);
-    this.perspective.position.copy(centre).addScaledVector(ahead, -1.7).addScaledVector(UP, 0.9);
-    this.followed = centre;
-    this.orbit.update();
-  }
-
-  private follow() {
-    if (!this.followed) return this.startFollowing();
-    const centre = new Vector3().fromArray(this.pose!.position);
-    const step = centre.clone().sub(this.followed);
-    this.perspective.position.add(step);
-    this.orbit.target.add(step);
-    this.followed = centre;
-    this.orbit.update();
-  }
-
-  private fitIfGrown(path: Float32Array) {
-    if (this.mode === "follow") return;
-    const count = path.length / 3 + (this.map?.landmarks.length ?? 0) / 30;
-    if (count < 1.3 * this.fitted) return;
-    this.fitted = count;
-    this.fit();
-  }
+  setMode(mode: ViewMode) { this.viewpoint.setMode(mode, this.pose, this.map); }
 
   // Shows all of the path and nearly all landmarks.
-  fit() {
-    const bounds = [0, 1, 2].map((axis) => {
-      const values: number[] = [];
-      const collect = (points: ArrayLike<number>, step: number) => {
-        for (let i = axis; i < points.length; i += 3 * step) values.push(points[i]!);
-      };
-      const landmarks = this.map?.landmarks ?? [];
-      collect(landmarks, Math.max(1, Math.floor(landmarks.length / 9000)));
-      const path = this.map?.path ?? [];
-      const inner = [...values].sort((a, b) => a - b);
-      const low = inner[Math.floor(0.04 * inner.length)] ?? -0.5, high = inner[Math.floor(0.96 * inner.length)] ?? 0.5;
-      values.length = 0;
-      collect(path, 1);
-      return values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)] as [number, number], [low, high] as [number, number]);
-    });
-    const centre = new Vector3(...bounds.map(([a, b]) => (a + b) / 2) as [number, number, number]);
-    const radius = Math.max(0.6, 0.5 * Math.hypot(...bounds.map(([a, b]) => b - a)));
-    const aspect = this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight);
-    if (this.mode === "top") {
-      const half = 1.1 * Math.max((bounds[2]![1] - bounds[2]![0]) / 2, (bounds[0]![1] - bounds[0]![0]) / 2 / aspect, 0.4);
-      this.orthographic.zoom = 1;
-      this.orthographic.userData.half = half;
-      this.plan.target.copy(centre);
-      this.orthographic.position.copy(centre).addScaledVector(UP, 50);
-      this.resize();
-      this.plan.update();
-    } else {
-      const direction = this.perspective.position.clone().sub(this.orbit.target).normalize();
-      if (this.fitted <= 0 || !Number.isFinite(direction.x)) direction.set(0.35, -0.55, -0.75).normalize();
-      const narrow = Math.min(1, aspect);
-      const distance = (0.92 * radius) / Math.sin((this.perspective.fov * Math.PI) / 360) / narrow;
-      this.orbit.target.copy(centre);
-      this.perspective.position.copy(centre).addScaledVector(direction, distance);
-      this.orbit.update();
-    }
-    this.dirty = true;
-  }
+  fit() { this.viewpoint.fit(this.map); }
+
+  // Length of a bar of the picture [m] at the distance that is looked at, and its pixels.
+  scaleBar(): { metres: number; pixels: number } { return this.viewpoint.scaleBar(); }
 
   private resize() {
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(this.pixelRatio());
     this.renderer.setSize(width, height, false);
-    this.perspective.aspect = width / height;
-    this.perspective.updateProjectionMatrix();
-    const half: number = this.orthographic.userData.half ?? 2;
-    Object.assign(this.orthographic, { left: (-half * width) / height, right: (half * width) / height, top: half, bottom: -half });
-    this.orthographic.updateProjectionMatrix();
+    this.viewpoint.resize();
     for (const material of [this.pathMaterial, this.truthMaterial, this.loopMaterial, this.cameraMaterial,
       this.picked.material as LineMaterial]) material.resolution.set(width, height);
     this.dirty = true;
@@ -442,7 +326,7 @@ export class Scene3D {
     this.setLevel(this.dirty ? this.level : 0);
     this.dirty = false;
     this.drawnAt = now;
-    this.renderer.render(this.scene, this.activeCamera);
+    this.renderer.render(this.scene, this.viewpoint.camera);
   }
 
   // Draws some pictures as fast as it goes while the view turns, at a level of detail: milliseconds of each.
@@ -451,23 +335,11 @@ export class Scene3D {
     this.setLevel(level);
     for (let i = 0; i < count; ++i) {
       const begin = performance.now();
-      this.perspective.position.sub(this.orbit.target).applyAxisAngle(UP, 0.02).add(this.orbit.target);
-      this.perspective.lookAt(this.orbit.target);
-      this.renderer.render(this.scene, this.activeCamera);
+      this.viewpoint.turn(0.02);
+      this.renderer.render(this.scene, this.viewpoint.camera);
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);  // waits until it is drawn
       times.push(performance.now() - begin);
     }
     return times;
-  }
-
-  // Length of a bar of the picture [m] at the distance that is looked at, and its pixels.
-  scaleBar(): { metres: number; pixels: number } {
-    const height = Math.max(1, this.canvas.clientHeight);
-    const metresPerPixel = this.mode === "top"
-      ? (this.orthographic.top - this.orthographic.bottom) / this.orthographic.zoom / height
-      : (2 * this.perspective.position.distanceTo(this.orbit.target) * Math.tan((this.perspective.fov * Math.PI) / 360)) / height;
-    const wanted = 90 * metresPerPixel, power = 10 ** Math.floor(Math.log10(wanted));
-    const metres = [5, 2, 1].map((m) => m * power).find((m) => m <= wanted) ?? power;
-    return { metres, pixels: metres / metresPerPixel };
   }
 }

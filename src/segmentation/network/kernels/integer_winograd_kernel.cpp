@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "segmentation/network/kernels/winograd_tiles.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "segmentation/network/kernels/integer_winograd_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -190,16 +192,10 @@ void multiply(const IntegerWinogradJob& job) {
 }
 
 void run_job(const IntegerWinogradJob& job) {
-  const int across = (job.target.shape.width + kIntegerWinogradTile - 1) / kIntegerWinogradTile;
-  const auto for_tiles = [&](const auto& visit) {
-    for (int t = 0; t < job.tiles; ++t) {
-      const int tile = job.first_tile + t;
-      visit(tile / across * kIntegerWinogradTile, tile % across * kIntegerWinogradTile, t);
-    }
-  };
-  for_tiles([&](int top, int left, int t) { prepare_tile(job, top, left, t); });
+  for_each_tile(job, kIntegerWinogradTile,
+                [&](int top, int left, int t) { prepare_tile(job, top, left, t); });
   multiply(job);
-  for_tiles([&](int top, int left, int t) { finish_tile(job, top, left, t); });
+  for_each_tile(job, kIntegerWinogradTile, [&](int top, int left, int t) { finish_tile(job, top, left, t); });
 }
 
 }  // namespace HWY_NAMESPACE

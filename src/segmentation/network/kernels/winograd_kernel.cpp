@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "segmentation/network/kernels/winograd_tiles.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "segmentation/network/kernels/winograd_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -153,16 +155,9 @@ void multiply(const WinogradJob& job) {
 }
 
 void run_job(const WinogradJob& job) {
-  const int across = (job.target.shape.width + kWinogradTile - 1) / kWinogradTile;
-  const auto for_tiles = [&](const auto& visit) {
-    for (int t = 0; t < job.tiles; ++t) {
-      const int tile = job.first_tile + t;
-      visit(tile / across * kWinogradTile, tile % across * kWinogradTile, t);
-    }
-  };
-  for_tiles([&](int top, int left, int t) { prepare_tile(job, top, left, t); });
+  for_each_tile(job, kWinogradTile, [&](int top, int left, int t) { prepare_tile(job, top, left, t); });
   multiply(job);
-  for_tiles([&](int top, int left, int t) { finish_tile(job, top, left, t); });
+  for_each_tile(job, kWinogradTile, [&](int top, int left, int t) { finish_tile(job, top, left, t); });
 }
 
 }  // namespace HWY_NAMESPACE
