@@ -22,7 +22,7 @@ endif()
 
 # How many files of a folder are compiled together at most: enough to save most of what can be saved, few enough that two
 # cores share the last of them.
-set(STDC_UNITED_FILES 6)
+set(STDC_UNITED_FILES 12)
 
 # Tests are compiled with little optimisation: more costs twice the compile time and gains little.
 set(STDC_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>")

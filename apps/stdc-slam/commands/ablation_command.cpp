@@ -27,7 +27,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct AblationOptions {
   std::vector<std::string> sequences;
   InputOptions input;  ///< how each of them is to be read
   std::optional<std::string> output;
@@ -38,7 +38,7 @@ struct Options {
 using Inputs = std::vector<std::unique_ptr<SequenceInput>>;
 
 /// Results are told apart by the names of the sequences.
-void check_names(const Options& options, const Inputs& inputs) {
+void check_names(const AblationOptions& options, const Inputs& inputs) {
   std::map<std::string, std::string> folders;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto [entry, is_new] = folders.emplace(inputs[i]->name, options.sequences[i]);
@@ -49,7 +49,7 @@ void check_names(const Options& options, const Inputs& inputs) {
 }
 
 /// Opens the sequences and finds what would otherwise end the command after minutes of work.
-Inputs open_inputs(const Options& options, const std::vector<AblationColumn>& columns) {
+Inputs open_inputs(const AblationOptions& options, const std::vector<AblationColumn>& columns) {
   Inputs inputs;
   for (const std::string& folder : options.sequences) {
     InputOptions how = options.input;
@@ -94,7 +94,7 @@ std::shared_ptr<const nlohmann::ordered_json> page_run(const SequenceInput& inpu
 }
 
 /// @param warnings  what was said about the truth of this sequence
-AblationCell run_column(const SequenceInput& input, const std::string& folder, const Options& options,
+AblationCell run_column(const SequenceInput& input, const std::string& folder, const AblationOptions& options,
                         const AblationColumn& column, const InterruptWatch& interrupts,
                         std::set<std::string>& warnings) {
   Slam slam(input.camera, column.settings,
@@ -116,7 +116,7 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
   return cell;
 }
 
-void run_ablation(const Options& options) {
+void run_ablation(const AblationOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
   const std::vector<AblationColumn> columns = ablation_columns(options.columns);
@@ -145,7 +145,7 @@ void run_ablation(const Options& options) {
   output->commit();
 }
 
-constexpr const char* kFooter = R"(
+constexpr const char* kAblationFooter = R"(
 Runs the five columns of Table 1 on each sequence:
   OS3           the framework alone, classic selection of keypoints        (settings os3)
   OS3+S         keypoints on people are rejected                           (os3-s)
@@ -168,7 +168,7 @@ Examples:
 }  // namespace
 
 void add_ablation_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AblationOptions>();
   Command command = program.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
   command.add_option("INPUTS", options->sequences, std::string(kInputHelp) + ", with true poses").required();
   command.add_option("--output,-o", options->output,
@@ -193,7 +193,7 @@ void add_ablation_command(Command program) {
   command.add_flag("--markdown", options->markdown, "Print tables in Markdown");
   command.add_flag("--no-report", options->no_report, "Leave out report.html");
   command.add_flag("--quiet,-q", options->quiet, "No progress");
-  command.footer(kFooter);
+  command.footer(kAblationFooter);
   command.callback([options] { run_ablation(*options); });
 }
 

@@ -12,13 +12,13 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   InputOptions input;
   std::filesystem::path output;
   bool overwrite = false, quiet = false;
 };
 
-void convert(const Options& options) {
+void convert(const ConvertOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
   const SequenceInput input(options.input);
@@ -36,7 +36,7 @@ void convert(const Options& options) {
              options.output.string());
 }
 
-constexpr const char* kFooter = R"(
+constexpr const char* kConvertFooter = R"(
 The folder gets the layout of the TUM RGB-D benchmark: rgb/, depth/ (16 bit, registered to rgb, 0 = missing), rgb.txt,
 depth.txt, camera.yaml, and, if the input has them, groundtruth.txt and imu.txt. Images are written without loss:
 `run` on the folder gives what it gives on the input. It appears at the end, whole, or not at all.
@@ -54,7 +54,7 @@ Examples:
   stdc-slam record openni2: --camera kinect.yaml --output office
   stdc-slam record openni2: --camera kinect.yaml --output office --frames :900)";
 
-void record(Options options) {
+void record(ConvertOptions options) {
   constexpr int kFramesThatWait = 60;  // while the disk is busy: 90 MB
   options.input.source.max_waiting = kFramesThatWait;
   convert(options);
@@ -63,7 +63,7 @@ void record(Options options) {
 }  // namespace
 
 void add_record_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   Command command = program.add_subcommand("record", "Record a live camera as a folder in TUM RGB-D layout");
   command.add_option("SOURCE", options->input.path, "Live camera: openni2: or openni2:URI").required();
   command.add_option("--output,-o", options->output, "Folder to be made").required();
@@ -83,7 +83,7 @@ void add_record_command(Command program) {
 }
 
 void add_convert_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   Command command = program.add_subcommand("convert", "Write an input as a folder in TUM RGB-D layout");
   command.add_option("INPUT", options->input.path, kInputHelp).required();
   command.add_option("--output,-o", options->output, "Folder to be made").required();
@@ -92,7 +92,7 @@ void add_convert_command(Command program) {
   add_frames_option(command, options->input);
   command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
-  command.footer(kFooter);
+  command.footer(kConvertFooter);
   command.callback([options] { convert(*options); });
 }
 

@@ -24,7 +24,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct EvaluateOptions {
   std::string truth, estimate;
   double max_difference = 0.02;
   bool json = false;
@@ -43,7 +43,8 @@ TrajectoryFile read_poses(const std::string& path) {
 }
 
 /// Poses of KITTI have no times: only equally many can belong together, one by one.
-void check_formats(const Options& options, const TrajectoryFile& truth, const TrajectoryFile& estimate) {
+void check_formats(const EvaluateOptions& options, const TrajectoryFile& truth,
+                   const TrajectoryFile& estimate) {
   const bool true_times = truth.format != TrajectoryFormat::kitti,
              times = estimate.format != TrajectoryFormat::kitti;
   if (true_times != times) {
@@ -59,7 +60,7 @@ void check_formats(const Options& options, const TrajectoryFile& truth, const Tr
   }
 }
 
-Evaluation compare(const Options& options) {
+Evaluation compare(const EvaluateOptions& options) {
   const TrajectoryFile truth = read_poses(options.truth), estimate = read_poses(options.estimate);
   check_formats(options, truth, estimate);
   const TruthConvention convention = recognise_convention(truth.content.poses, estimate.content.poses);
@@ -89,7 +90,7 @@ std::string page_of(const Evaluation& evaluation) {
 }
 
 /// Writes what was asked for, all of it or nothing.
-void write_files(const Options& options, const Evaluation& evaluation) {
+void write_files(const EvaluateOptions& options, const Evaluation& evaluation) {
   std::deque<WholeFile> files;
   const auto write = [&](const std::optional<std::filesystem::path>& path, const auto& content) {
     if (!path) return;
@@ -103,7 +104,7 @@ void write_files(const Options& options, const Evaluation& evaluation) {
   for (WholeFile& file : files) file.commit();
 }
 
-void evaluate(const Options& options) {
+void evaluate(const EvaluateOptions& options) {
   if (!(options.max_difference > 0 && options.max_difference <= 10)) {
     throw Error("--max-difference", fmt::format("{} is outside 0..10", options.max_difference),
                 "give the largest time difference of a pair in seconds");
@@ -117,7 +118,7 @@ void evaluate(const Options& options) {
 }  // namespace
 
 void add_evaluate_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvaluateOptions>();
   Command command = program.add_subcommand("evaluate", "Score an estimated trajectory against the truth");
   command.add_option("GROUNDTRUTH", options->truth, "True trajectory, in the format of TUM, KITTI or EuRoC")
       .required();

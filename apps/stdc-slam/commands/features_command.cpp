@@ -24,7 +24,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct FeaturesOptions {
   InputOptions input;
   std::optional<std::string> debug_images;
   std::vector<int> frames;
@@ -71,14 +71,14 @@ Row average(const std::vector<Row>& rows) {
 }
 
 /// Throws Error for frames that there are not, as far as that is known beforehand.
-void check_frames(const Options& options, const SequenceInput& input) {
+void check_frames(const FeaturesOptions& options, const SequenceInput& input) {
   const std::optional<int> count = input.frame_count();
   for (const int frame : options.frames) {
     if (frame < 0 || (count && frame >= *count)) refuse_frame(frame, count.value_or(1000000));
   }
 }
 
-std::vector<FeatureExtractor> make_extractors(const Options& options) {
+std::vector<FeatureExtractor> make_extractors(const FeaturesOptions& options) {
   std::vector<FeatureExtractor> extractors;
   extractors.reserve(kSelections.size());
   for (const Selection selection : kSelections) {
@@ -107,7 +107,7 @@ std::vector<Row> in_order(const std::vector<int>& frames, const std::map<int, Ro
   return ordered;
 }
 
-std::vector<Row> measure_frames(const Options& options) {
+std::vector<Row> measure_frames(const FeaturesOptions& options) {
   const SequenceInput input(options.input);
   check_frames(options, input);
   std::vector<FeatureExtractor> extractors = make_extractors(options);
@@ -187,7 +187,7 @@ nlohmann::json to_json(const Row& row) {
   return json;
 }
 
-std::string format_json(const Options& options, const std::vector<Row>& rows) {
+std::string format_json(const FeaturesOptions& options, const std::vector<Row>& rows) {
   nlohmann::json json{{"sequence", options.input.path.string()},
                       {"keypoints", options.keypoints},
                       {"average", to_json(average(rows))}};
@@ -198,7 +198,7 @@ std::string format_json(const Options& options, const std::vector<Row>& rows) {
   return json.dump(2) + "\n";
 }
 
-void run(const Options& options) {
+void run(const FeaturesOptions& options) {
   const std::vector<Row> rows = measure_frames(options);
   fmt::print("{}", options.json ? format_json(options, rows)
                                 : format_table(rows, !options.frames.empty(), options.markdown));
@@ -207,7 +207,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_features_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FeaturesOptions>();
   Command command =
       program.add_subcommand("features", "Compare the keypoint selections: quality and uniformity");
   command.add_option("INPUT", options->input.path, kInputHelp).required();

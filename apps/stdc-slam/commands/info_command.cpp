@@ -13,13 +13,13 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct InfoOptions {
   InputOptions input;
   int looked_at = 60;
   bool json = false, quiet = false;
 };
 
-void show_info(const Options& options) {
+void show_info(const InfoOptions& options) {
   const auto source = open_source(options.input.path, options.input.source);
   if (source->is_live()) {
     throw Error(source->where(), "is a live camera, which has no end to look at",
@@ -36,7 +36,7 @@ void show_info(const Options& options) {
   fmt::print("{}", options.json ? info_json(survey, warnings) : info_text(survey, warnings));
 }
 
-constexpr const char* kFooter = R"(
+constexpr const char* kInfoFooter = R"(
 Goes through the whole input, decodes some of its frames, and tells its kind and streams, how many frames there are
 and how regularly they come, the camera, and how much depth there is. Warnings tell what is likely to be wrong:
 gaps, depth in another unit than the camera file says, depth that is not registered to the colour images, a camera of
@@ -50,7 +50,7 @@ Examples:
 }  // namespace
 
 void add_info_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   Command command = program.add_subcommand("info", "Tell what an input is, and what may be wrong with it");
   command.add_option("INPUT", options->input.path, kInputHelp).required();
   add_input_options(command, options->input);
@@ -60,7 +60,7 @@ void add_info_command(Command program) {
       .capture_default_str();
   command.add_flag("--json", options->json, "Print JSON");
   command.add_flag("--quiet,-q", options->quiet, "No progress");
-  command.footer(kFooter);
+  command.footer(kInfoFooter);
   command.callback([options] { show_info(*options); });
 }
 

@@ -21,7 +21,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct MapOptions {
   std::string file, output;
   std::string mesh, cloud, octomap, grid;  ///< files
   std::string up;                          ///< "X,Y,Z"
@@ -31,7 +31,7 @@ struct Options {
   bool json = false, quiet = false;
 };
 
-void print_info(const Options& options) {
+void print_info(const MapOptions& options) {
   const StoredMap stored = load_map(options.file);
   std::error_code unknown;
   const std::uintmax_t bytes = std::filesystem::file_size(options.file, unknown);
@@ -39,7 +39,7 @@ void print_info(const Options& options) {
   fmt::print("{}", options.json ? map_report_json(report) : map_report_text(report));
 }
 
-void export_points(const Options& options, const StoredMap& stored) {
+void export_points(const MapOptions& options, const StoredMap& stored) {
   if (options.output.empty()) return;
   OutputFolder output(options.output);
   output.write("points.ply", point_cloud_ply(stored.atlas));
@@ -73,7 +73,7 @@ std::optional<Eigen::Vector3d> parse_up(const std::string& text) {
   return up;
 }
 
-std::vector<DenseTarget> dense_targets(const Options& options) {
+std::vector<DenseTarget> dense_targets(const MapOptions& options) {
   struct Asked {
     const std::string& file;
     const char* option;
@@ -88,7 +88,7 @@ std::vector<DenseTarget> dense_targets(const Options& options) {
   return targets;
 }
 
-MapId chosen_map(const Options& options, const StoredMap& stored, const AtlasSnapshot& snapshot) {
+MapId chosen_map(const MapOptions& options, const StoredMap& stored, const AtlasSnapshot& snapshot) {
   if (!options.map) return map_with_most_views(stored.views, snapshot);
   if (*options.map >= 0 && *options.map < stored.atlas.map_count())
     return {static_cast<std::uint32_t>(*options.map)};
@@ -96,7 +96,7 @@ MapId chosen_map(const Options& options, const StoredMap& stored, const AtlasSna
               fmt::format("its maps are 0 to {}", stored.atlas.map_count() - 1));
 }
 
-void export_dense(const Options& options, std::vector<DenseTarget> targets, const DenseSettings& settings,
+void export_dense(const MapOptions& options, std::vector<DenseTarget> targets, const DenseSettings& settings,
                   const StoredMap& stored) {
   if (stored.views.empty()) {
     throw Error(options.file, "has no dense part, so no dense map can be made of it",
@@ -116,7 +116,7 @@ void export_dense(const Options& options, std::vector<DenseTarget> targets, cons
   }
 }
 
-void export_map(const Options& options) {
+void export_map(const MapOptions& options) {
   const std::vector<DenseTarget> targets = dense_targets(options);
   if (targets.empty() && options.output.empty()) {
     throw Error("map export", "nothing is to be written",
@@ -140,7 +140,7 @@ void export_map(const Options& options) {
   export_points(options, stored);
 }
 
-void add_info(Command map, const std::shared_ptr<Options>& options) {
+void add_info(Command map, const std::shared_ptr<MapOptions>& options) {
   Command command = map.add_subcommand("info", "What a map file holds");
   command.add_option("FILE", options->file, "Map that run --save-map wrote").required();
   command.add_flag("--json", options->json, "Print JSON, in metres, seconds and bytes");
@@ -154,7 +154,7 @@ Examples:
   command.callback([options] { print_info(*options); });
 }
 
-void add_export(Command map, const std::shared_ptr<Options>& options) {
+void add_export(Command map, const std::shared_ptr<MapOptions>& options) {
   Command command = map.add_subcommand("export", "Dense map, landmarks and keyframes for other programs");
   command.add_option("FILE", options->file, "Map that run --save-map wrote").required();
   command.add_option("--output,-o", options->output, "Folder for landmarks and keyframes; made if need be");
@@ -199,7 +199,7 @@ Examples:
   stdc-slam run my-sequence --output results --save-map office.map
   stdc-slam map info office.map
   stdc-slam map export office.map --output office)");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MapOptions>();
   add_info(command, options);
   add_export(command, options);
 }

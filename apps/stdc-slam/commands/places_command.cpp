@@ -24,7 +24,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct PlacesOptions {
   InputOptions input;
   std::optional<std::string> output;
   int step = 5;
@@ -56,7 +56,7 @@ struct ViewCounts {
 };
 
 /// Adds every view that has a true pose.
-ViewCounts run_test(const Options& options, const SequenceInput& input, PlaceRecognitionTest& test) {
+ViewCounts run_test(const PlacesOptions& options, const SequenceInput& input, PlaceRecognitionTest& test) {
   const std::optional<int> frames = input.frame_count();
   Progress progress("recognising", "views",
                     frames ? std::optional((*frames + options.step - 1) / options.step) : std::nullopt,
@@ -189,7 +189,7 @@ std::string format_answers(const std::vector<PlaceAnswer>& answers) {
   return text;
 }
 
-void run(const Options& options) {
+void run(const PlacesOptions& options) {
   const SequenceInput input(options.input);
   check_truth(input);
   std::optional<OutputFolder> output;
@@ -214,7 +214,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_places_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlacesOptions>();
   Command command =
       program.add_subcommand("places", "Precision and recall of place recognition against poses");
   command.add_option("INPUT", options->input.path, std::string(kInputHelp) + ", with true poses").required();

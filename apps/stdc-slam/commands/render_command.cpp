@@ -23,7 +23,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct RenderOptions {
   std::string preset, output, camera;
   int frames = 0;  ///< 0: as many as the preset has
   int threads = 0;
@@ -79,7 +79,8 @@ class RenderJob {
 };
 
 /// What the renderer would pass over.
-void check_effect(const Options& options, simulation::Preset preset, const std::optional<Camera>& camera) {
+void check_effect(const RenderOptions& options, simulation::Preset preset,
+                  const std::optional<Camera>& camera) {
   const bool still = preset == simulation::Preset::static_desk || preset == simulation::Preset::static_room;
   if (options.without_people && still) {
     throw Error("--without-people", fmt::format("has no effect, nothing moves in {}", options.preset),
@@ -99,7 +100,7 @@ void check_effect(const Options& options, simulation::Preset preset, const std::
   }
 }
 
-void render(const Options& options) {
+void render(const RenderOptions& options) {
   const InterruptWatch interrupts;
   const simulation::Preset preset = simulation::preset_named(options.preset);
   simulation::RenderSettings settings;
@@ -136,7 +137,7 @@ std::string preset_list() {
 }  // namespace
 
 void add_render_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   Command command =
       program.add_subcommand("render", "Render a sequence with exact poses and masks of what moves");
   command.add_option("PRESET", options->preset, "One of " + preset_list()).required();

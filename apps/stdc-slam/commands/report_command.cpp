@@ -8,13 +8,9 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "core/error.hpp"
 #include "core/text_file.hpp"
 #include "core/whole_file.hpp"
-#include "report/evo_result.hpp"
-#include "report/merge_reports.hpp"
-#include "report/report_page.hpp"
-#include "report/run_report.hpp"
+#include "report/comparison.hpp"
 #include "run/command_line.hpp"
 
 namespace stdc::app {
@@ -22,12 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::vector<std::string> runs;
   fs::path output = "comparison.html";
 };
-
-constexpr std::size_t kMaxRuns = 24;  // more cannot be told apart
 
 /// What the runs of a folder or file are called: the folder, or the file if its name says more than ours
 /// does.
@@ -39,47 +33,26 @@ std::string name_of(const fs::path& given) {
   return (is_ours ? path.parent_path() : path).stem().string();
 }
 
-nlohmann::ordered_json read_report(const std::string& given) {
+nlohmann::ordered_json read_run(const std::string& given) {
   std::error_code failed;
   const fs::path path = fs::is_directory(given, failed) ? fs::path(given) / "report.html" : fs::path(given);
   constexpr std::size_t kMaxBytes = 64 << 20U;
-  const std::string page =
+  const std::string content =
       read_file(path, "run it again without --no-report, or give a folder that run wrote", kMaxBytes);
-  if (page.starts_with("PK")) {
-    nlohmann::ordered_json group = {{"title", name_of(given)}, {"runs", {evo_run(page, path.string())}}};
-    return {{"groups", nlohmann::ordered_json::array({std::move(group)})}};
-  }
-  return report_document(page, path.string());
+  return read_report(content, name_of(given), path.string());
 }
 
-nlohmann::ordered_json merged(const std::vector<std::string>& names,
-                              std::vector<nlohmann::ordered_json> documents) {
-  try {
-    return merge_reports(names, std::move(documents));
-  } catch (const nlohmann::ordered_json::exception&) {
-    throw Error("report", "one of the pages holds what this program does not write", "write them again");
-  }
-}
-
-void compare(const Options& options) {
+void compare(const ReportOptions& options) {
   std::vector<std::string> names;
   std::vector<nlohmann::ordered_json> documents;
   for (const std::string& given : options.runs) {
     names.push_back(name_of(given));
-    documents.push_back(read_report(given));
+    documents.push_back(read_run(given));
   }
-  nlohmann::ordered_json groups = merged(names, std::move(documents));
-  const std::size_t count = groups[0]["runs"].size();
-  if (count > kMaxRuns) {
-    throw Error("report", fmt::format("{} runs are too many for a page", count),
-                fmt::format("give at most {}", kMaxRuns));
-  }
-  if (count == 0) throw Error("report", "there are no runs in what was given", "give folders that run wrote");
-  const std::string title = groups[0]["title"];
-  const std::string subtitle = count == 1 ? "one run" : fmt::format("{} runs side by side", count);
+  const Comparison comparison =
+      compare_reports(names, std::move(documents), shell_command(process_arguments()));
   WholeFile file(options.output);
-  file.stream() << bounded_report_page(
-      report_of(title, subtitle, std::move(groups), {shell_command(process_arguments())}));
+  file.stream() << comparison.page;
   file.commit();
   fmt::print("report: {}\n", options.output.string());
 }
@@ -87,7 +60,7 @@ void compare(const Options& options) {
 }  // namespace
 
 void add_report_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportOptions>();
   Command command = program.add_subcommand("report", "Put runs side by side on a page");
   command
       .add_option("RUNS", options->runs,

@@ -133,6 +133,15 @@ TEST_F(ReportCommandLine, RefusesWhatIsNoRun) {
       std::string("<script type=\"application/json\" "
                   "id=\"report-data\">{\"format\":1,\"groups\":[{\"runs\":[{\"name\":[]}]}]}</script>"));
   expect_refusal("report odd.html odd.html", "holds what this program does not write");
+  folder_.write("deep.html",
+                "<script type=\"application/json\" id=\"report-data\">{\"format\":1,\"groups\":" +
+                    std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}</script>");
+  expect_refusal("report deep.html", "damaged");
+  folder_.write(
+      "image.html",
+      std::string("<script type=\"application/json\" id=\"report-data\">{\"format\":1,\"groups\":[{\"runs\":"
+                  "[{\"name\":\"a\",\"images\":[{\"frame\":\"x\"}]}]}]}</script>"));
+  expect_refusal("report image.html image.html", "holds what this program does not write");
   folder_.write("odd.zip", std::string("PK\x03\x04 and nothing more"));
   expect_refusal("report odd.zip", "is no ZIP archive");
   EXPECT_FALSE(fs::exists(folder_ / "comparison.html"));

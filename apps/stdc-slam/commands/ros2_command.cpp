@@ -7,7 +7,7 @@
 namespace stdc::app {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kRos2Footer = R"(
 Joins the ROS 2 system of ROS_DOMAIN_ID as a node would (by DDS; ROS_LOCALHOST_ONLY is heeded) and works until Ctrl-C,
 which writes what --output and --save-map ask for. The camera is taken from --camera, else from its camera_info; depth
 of another camera is registered by its camera_info and /tf_static. TOPIC/compressed and TOPIC/compressedDepth are read
@@ -95,7 +95,7 @@ void add_ros2_command(Command program) {
   command.add_flag("--debug-image", options->publish_debug_image,
                    "Publish a picture of the keypoints; costs latency");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
-  command.footer(kFooter);
+  command.footer(kRos2Footer);
   command.callback([options] {
     constexpr int kNothingFound = 3;
     if (!run_ros2(*options)) throw ExitStatus{kNothingFound};

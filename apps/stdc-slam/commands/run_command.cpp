@@ -11,7 +11,7 @@
 namespace stdc::app {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kRunFooter = R"(
 INPUT is a folder in TUM RGB-D layout: rgb.txt and depth.txt with "timestamp filename" lines, images as PNG or
 JPEG, depth as 16-bit PNG, perhaps groundtruth.txt. Or a folder in the layout of another data set, or a recording:
 docs/inputs.md has them all, `stdc-slam info INPUT` says what one is. The camera is taken from --camera, else from
@@ -109,7 +109,7 @@ void add_options(Command command, RunOptions& options) {
   command.add_flag("--view-wait", options.view.wait, "Begin when somebody looks").needs(view);
   command.add_flag("--no-report", options.no_report, "Leave out report.html");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");
-  command.footer(kFooter);
+  command.footer(kRunFooter);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct SegmentOptions {
   InputOptions input;
   std::string output, size, truth_kind = "masks";
   std::optional<std::string> weights, truth;
@@ -53,7 +53,7 @@ cv::Size parse_size(const std::string& text) {
   throw Error("--size", fmt::format("'{}' is not of the form WxH", text), "give for instance 512x384");
 }
 
-NetworkSettings network_settings(const Options& options) {
+NetworkSettings network_settings(const SegmentOptions& options) {
   NetworkSettings settings;
   settings.threads = options.threads;
   if (options.int8) settings.precision = NetworkPrecision::int8;
@@ -67,7 +67,7 @@ NetworkSettings network_settings(const Options& options) {
 }
 
 /// An ONNX model is computed by OpenCV, which knows none of these.
-void check_onnx_options(const Options& options) {
+void check_onnx_options(const SegmentOptions& options) {
   if (!options.weights || std::filesystem::path(*options.weights).extension() != ".onnx") return;
   const auto refuse = [](bool given, const char* option) {
     if (given)
@@ -80,21 +80,21 @@ void check_onnx_options(const Options& options) {
   refuse(options.wanted.probability, "--probabilities");
 }
 
-TruthKind truth_kind(const Options& options) {
+TruthKind truth_kind(const SegmentOptions& options) {
   if (options.truth_kind == "masks") return TruthKind::masks;
   if (options.truth_kind == "labels") return TruthKind::labels;
   throw Error("--truth", fmt::format("'{}' is not known", options.truth_kind), "give masks or labels");
 }
 
 /// The camera whose `rotation` counts: --camera, or that of a sequence; nothing for photos.
-std::optional<Camera> camera_of(const Options& options, const SegmentImages& images) {
+std::optional<Camera> camera_of(const SegmentOptions& options, const SegmentImages& images) {
   if (options.input.camera) return read_cameras(*options.input.camera).colour;
   if (!images.is_sequence()) return std::nullopt;
   return images.camera().value_or(Camera());
 }
 
 /// Throws Error if no image could be scored; says on stderr if some could not.
-void check_scores(const Options& options, const std::vector<SegmentedImage>& results) {
+void check_scores(const SegmentOptions& options, const std::vector<SegmentedImage>& results) {
   if (!options.truth) return;
   const auto not_scored = [](const SegmentedImage& result) { return !result.counts.has_value(); };
   const auto missing = static_cast<std::size_t>(std::count_if(results.begin(), results.end(), not_scored));
@@ -108,7 +108,7 @@ void check_scores(const Options& options, const std::vector<SegmentedImage>& res
              *options.truth, missing, results.size(), first->name);
 }
 
-void segment(const Options& options) {
+void segment(const SegmentOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
   SegmentImages images(options.input);
@@ -150,7 +150,7 @@ void segment(const Options& options) {
   fmt::print("{}results: {}\n", segment_summary(results, segmentation.shared_classes()), options.output);
 }
 
-constexpr const char* kFooter = R"(
+constexpr const char* kSegmentFooter = R"(
 INPUT is an image, a folder of images (PNG, JPEG), or a recording of any kind that `run` takes. Written to the output
 folder, all at the end or nothing:
   NAME.png          mask of the image NAME.*: 255 = dynamic, else 0; `run --masks` takes the folder as it is
@@ -181,7 +181,7 @@ Examples:
 }  // namespace
 
 void add_segment_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SegmentOptions>();
   Command command = program.add_subcommand("segment", "Find people and other dynamic things in images");
   command.add_option("INPUT", options->input.path, "Image, folder of images, or recording of any kind")
       .required();
@@ -216,7 +216,7 @@ void add_segment_command(Command program) {
                    "Write how likely each pixel is dynamic, too");
   command.add_flag("--no-overlays", options->no_overlays, "Write masks only");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
-  command.footer(kFooter);
+  command.footer(kSegmentFooter);
   command.callback([options] { segment(*options); });
 }
 

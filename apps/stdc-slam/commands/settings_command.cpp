@@ -14,7 +14,7 @@
 namespace stdc::app {
 namespace {
 
-struct Options {
+struct SettingsCommandOptions {
   SettingsOptions settings;
   bool yaml = false;
 };
@@ -39,7 +39,7 @@ std::string table(const Settings& settings) {
 }  // namespace
 
 void add_settings_command(Command program) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SettingsCommandOptions>();
   Command command =
       program.add_subcommand("settings", "Print every setting with its value, unit, range and meaning");
   add_settings_options(command, options->settings);

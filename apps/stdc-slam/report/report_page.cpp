@@ -108,7 +108,12 @@ nlohmann::ordered_json report_document(std::string_view page, const std::string&
   const std::size_t start = page.find(kDataStart);
   if (start == std::string_view::npos) refuse(where, "is no report of this program");
   const std::string_view rest = page.substr(start + kDataStart.size());
-  const auto document = nlohmann::ordered_json::parse(rest.substr(0, rest.find(kDataEnd)), nullptr, false);
+  constexpr int kMaxDepth = 32;  // ours have 8; writing it out again recurses
+  const auto no_deeper = [&where](int depth, auto /*event*/, const auto& /*value*/) {
+    if (depth > kMaxDepth) refuse(where, "is a damaged report");
+    return true;
+  };
+  const auto document = nlohmann::ordered_json::parse(rest.substr(0, rest.find(kDataEnd)), no_deeper, false);
   if (!document.is_object() || !document.contains("groups") || !document["groups"].is_array()) {
     refuse(where, "is a damaged report");
   }
