@@ -10,6 +10,7 @@
 #include "input/camera_file.hpp"
 #include "input/frame_decoder.hpp"
 #include "input/open_source.hpp"
+#include "input/shifted_depth.hpp"
 #include "released_gil.hpp"
 #include "trajectory.hpp"
 
@@ -35,6 +36,7 @@ class Input {
     } else {
       throw Error(source_->where(), "no camera is known", source_->camera_hint());
     }
+    if (cameras_.depth_time_offset != 0) source_ = shift_depth(std::move(source_), cameras_.depth_time_offset);
     decoder_.emplace(cameras_);
   }
 

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   stdc::app::add_run_command(program.root());
   stdc::app::add_ros2_command(program.root());
   stdc::app::add_info_command(program.root());
+  stdc::app::add_calibrate_command(program.root());
   stdc::app::add_convert_command(program.root());
   stdc::app::add_record_command(program.root());
   stdc::app::add_segment_command(program.root());

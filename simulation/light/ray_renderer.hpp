@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "core/pose.hpp"
 #include "simulation/light/ideal_image.hpp"
 #include "simulation/light/moving_objects.hpp"
@@ -18,6 +20,10 @@ class RayRenderer {
 
   /// @param moving  people and moving objects at this moment; may be null
   IdealImage render(const Pose& world_from_cam, const MovingObjects* moving) const;
+  /// The same through a rolling shutter.
+  /// @param world_from_cam  when a row is read
+  IdealImage render_rows(const std::function<Pose(double row)>& world_from_cam,
+                         const MovingObjects* moving) const;
 
  private:
   const RayGrid& rays_;

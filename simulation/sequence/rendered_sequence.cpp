@@ -61,7 +61,12 @@ class RenderedSequence::Setup {
 
   IdealImage render_instant(double t) const {
     const std::unique_ptr<MovingObjects> moving = dynamic_scene ? dynamic_scene->at(t) : nullptr;
-    return renderer.render(motion.world_from_cam(t), moving.get());
+    if (camera.readout_time == 0) return renderer.render(motion.world_from_cam(t), moving.get());
+    const auto when_read = [&](double row) {
+      return motion.world_from_cam(
+          std::max(0.0, t + camera.readout_time * (row / (camera.height - 1) - 0.5)));
+    };
+    return renderer.render_rows(when_read, moving.get());
   }
 
   IdealImage render_ideal(int index) const {

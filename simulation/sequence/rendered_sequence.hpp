@@ -14,10 +14,12 @@
 namespace stdc::simulation {
 
 struct RenderSettings {
-  std::uint64_t seed = 1;        ///< of textures, clutter, people, hand tremor and noise
-  bool with_people = true;       ///< false: the same room and camera motion, all static, without movers
-  bool motion_blur = false;      ///< expose over 1/60 s instead of an instant
-  std::optional<Camera> camera;  ///< default: default_render_camera()
+  std::uint64_t seed = 1;    ///< of textures, clutter, people, hand tremor and noise
+  bool with_people = true;   ///< false: the same room and camera motion, all static, without movers
+  bool motion_blur = false;  ///< expose over 1/60 s instead of an instant
+  /// Default: default_render_camera(). With a readout time rows are seen one after the other, by colour and
+  /// depth alike; what moves stands still meanwhile.
+  std::optional<Camera> camera;
   std::function<void(World&)> refurnish;  ///< changes the room, before its light is found; empty: does not
 };
 

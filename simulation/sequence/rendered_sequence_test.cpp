@@ -143,5 +143,27 @@ TEST(RenderedSequence, HasPlainFactsWithoutRendering) {
   EXPECT_THROW(RenderedSequence(Preset::static_desk, settings), Error);
 }
 
+/// Rows of an image whose rows are read one after the other are those of images taken when they were read.
+TEST(RenderedSequence, ARollingShutterSeesEachRowAtItsTime) {
+  RenderSettings settings = small_settings();
+  settings.with_people = false;
+  settings.camera->frames_per_second = 1000;
+  const RenderedSequence instants(Preset::walking_rpy, settings);
+  settings.camera->readout_time = 0.04;
+  const RenderedSequence rolling(Preset::walking_rpy, settings);
+  constexpr int kMoment = 900;  // [ms], in quick motion
+  const cv::Mat image = rolling.render(kMoment).image.colour;
+  const int last = image.rows - 1;
+  for (const int row : {2, last / 2, last - 2}) {
+    const int when = kMoment + static_cast<int>(std::lround(40 * (static_cast<double>(row) / last - 0.5)));
+    const auto difference = [&](int moment) {
+      return cv::norm(image.rowRange(row - 1, row + 2),
+                      instants.render(moment).image.colour.rowRange(row - 1, row + 2), cv::NORM_L1);
+    };
+    EXPECT_LT(difference(when), 0.6 * difference(when - 20)) << row;
+    EXPECT_LT(difference(when), 0.6 * difference(when + 20)) << row;
+  }
+}
+
 }  // namespace
 }  // namespace stdc::simulation

@@ -161,7 +161,7 @@ TEST(Atlas, AMapOfWhatAnotherHeldKnowsItsRoots) {
 }
 
 /// Keyframes come, are tied and go; maps begin and are joined.
-TEST(Atlas, SurvivesARandomLife) {
+TEST(SeveralMaps, SurviveARandomLife) {
   MappedScene two(Scene(60));
   Atlas& atlas = two.atlas;
   Random random(11);

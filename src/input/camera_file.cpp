@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kKeys =
     "give width, height, fx, fy, cx, cy and, if needed, lens, k1, k2, p1, p2, k3, k4, k5, k6, "
-    "depth_units_per_metre, frames_per_second, readout_time, rotation, depth_camera";
+    "depth_units_per_metre, frames_per_second, readout_time, rotation, depth_time_offset, depth_camera";
 constexpr const char* kFileHint = "give a camera file (see the README for its keys)";
 constexpr const char* kLenses = "give pinhole, radial-tangential, rational or equidistant";
 
@@ -175,6 +175,14 @@ std::vector<double> parse_list(const YAML::Node& node, const char* key, std::siz
               "write it as [x, y, z] or [qx, qy, qz, qw]");
 }
 
+double parse_time_offset(const YAML::Node& node, const std::string& where) {
+  constexpr double kMaxOffset = 1;  // [s]
+  const std::optional<double> offset = node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
+  if (offset && std::abs(*offset) <= kMaxOffset) return *offset;
+  throw Error(where, "depth_time_offset is not a number between -1 and 1",
+              "give in seconds how much later depth images are taken than their stamps say");
+}
+
 DepthCamera parse_depth_camera(const YAML::Node& node, const std::string& name, const std::string& where) {
   constexpr std::array kOfTheColourCamera{"depth_units_per_metre", "frames_per_second", "readout_time",
                                           "rotation"};
@@ -235,8 +243,13 @@ RgbdCameras parse_cameras(const std::string& yaml, const std::string& name) {
   RgbdCameras cameras;
   cameras.colour =
       parse_keys(root, name, [&](const std::string& word, const YAML::Node& value, const std::string& where) {
-        if (word != "depth_camera") refuse_key(word, where);
-        cameras.depth = parse_depth_camera(value, name, where);
+        if (word == "depth_time_offset") {
+          cameras.depth_time_offset = parse_time_offset(value, where);
+        } else if (word == "depth_camera") {
+          cameras.depth = parse_depth_camera(value, name, where);
+        } else {
+          refuse_key(word, where);
+        }
       });
   if (cameras.depth) cameras.depth->camera.depth_units_per_metre = cameras.colour.depth_units_per_metre;
   return cameras;
@@ -245,6 +258,9 @@ RgbdCameras parse_cameras(const std::string& yaml, const std::string& name) {
 Camera parse_camera(const std::string& yaml, const std::string& name) {
   const YAML::Node root = parse_map(yaml, name);
   return parse_keys(root, name, [](const std::string& word, const YAML::Node&, const std::string& where) {
+    if (word == "depth_time_offset") {
+      throw Error(where, "depth_time_offset is of no use here: images come in pairs", "leave it out");
+    }
     if (word != "depth_camera") refuse_key(word, where);
     throw Error(where, "depth_camera is of no use here: depth must be registered to colour",
                 "leave it out, or make the depth registered by stdc-slam convert");
@@ -263,6 +279,8 @@ std::string format_camera(const Camera& camera) { return format_keys(camera, fal
 
 std::string format_cameras(const RgbdCameras& cameras) {
   std::string text = format_camera(cameras.colour);
+  if (cameras.depth_time_offset != 0)
+    text += fmt::format("depth_time_offset: {}\n", cameras.depth_time_offset);
   if (!cameras.depth) return text;
   const Eigen::Vector3d& t = cameras.depth->colour_from_depth.translation;
   const Eigen::Quaterniond& q = cameras.depth->colour_from_depth.rotation;

@@ -15,13 +15,15 @@ namespace stdc {
 /// frames_per_second (30), readout_time (0), rotation (0: degrees clockwise that turn the image upright).
 /// Without `lens` it follows from the coefficients, but is never equidistant. Throws Error (file, line) for a
 /// missing or unreadable file, a missing or unknown key, a coefficient that the lens does not have, or a
-/// value that does not validate, and for a `depth_camera`: see read_cameras.
+/// value that does not validate, and for what needs read_cameras.
 Camera read_camera(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
 Camera parse_camera(const std::string& yaml, const std::string& name);
-/// The same with the section `depth_camera`, of depth images that are not registered to the colour images:
-/// its own width, height, fx, fy, cx, cy, lens and coefficients, and where it is by `translation` ([x, y, z],
-/// metres) and `quaternion` ([qx, qy, qz, qw]; none if not given): colour from depth camera.
+/// The same with `depth_time_offset` (0: seconds by which depth images were taken later than their stamps
+/// say; whoever opens a source shifts them, see shifted_depth.hpp) and the section `depth_camera`, of depth
+/// images that are not registered to the colour images: its own width, height, fx, fy, cx, cy, lens and
+/// coefficients, and where it is by `translation` ([x, y, z], metres) and `quaternion` ([qx, qy, qz, qw];
+/// none if not given): colour from depth camera.
 RgbdCameras read_cameras(const std::filesystem::path& path);
 RgbdCameras parse_cameras(const std::string& yaml, const std::string& name);
 std::string format_cameras(const RgbdCameras& cameras);

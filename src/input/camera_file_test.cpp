@@ -119,6 +119,22 @@ TEST(CameraFile, MayHaveADepthCamera) {
   EXPECT_NE(message(kMinimal + depth).find("c.yaml:7: depth_camera is of no use here"), std::string::npos);
 }
 
+TEST(CameraFile, MayHaveATimeOffsetOfDepth) {
+  const RgbdCameras cameras = parse_cameras(kMinimal + "depth_time_offset: -0.0415\n", "c.yaml");
+  EXPECT_EQ(cameras.depth_time_offset, -0.0415);
+  EXPECT_EQ(parse_cameras(format_cameras(cameras), "c.yaml").depth_time_offset, -0.0415);
+  const auto fault = [](const std::string& line) {
+    return test::message_of([&] { parse_cameras(kMinimal + line, "c.yaml"); });
+  };
+  EXPECT_NE(
+      fault("depth_time_offset: 40\n").find("c.yaml:7: depth_time_offset is not a number between -1 and 1"),
+      std::string::npos);
+  EXPECT_NE(fault("depth_time_offset: [0]\n").find("is not a number"), std::string::npos);
+  EXPECT_NE(
+      message(kMinimal + "depth_time_offset: 0.1\n").find("c.yaml:7: depth_time_offset is of no use here"),
+      std::string::npos);
+}
+
 TEST(CameraFile, NamesTheLineAtFaultOfADepthCamera) {
   const auto fault = [](const std::string& more) {
     return message_of([&] {

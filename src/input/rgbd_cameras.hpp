@@ -22,6 +22,7 @@ struct DepthCamera {
 struct RgbdCameras {
   Camera colour;
   std::optional<DepthCamera> depth;  ///< nothing: the depth images are registered to the colour images
+  double depth_time_offset = 0;      ///< [s] by which depth images were taken later than their stamps say
 };
 
 }  // namespace stdc

@@ -19,7 +19,8 @@ Descriptor random_descriptor(Random& random) {
   return descriptor;
 }
 
-Descriptor flipped(Descriptor descriptor, int bits, Random& random) {
+Descriptor flipped(const Descriptor& original, int bits, Random& random) {
+  Descriptor descriptor = original;
   for (int n = 0; n < bits; ++n) descriptor.bits[random.below(4)] ^= std::uint64_t{1} << random.below(64);
   return descriptor;
 }

@@ -27,7 +27,7 @@
 namespace stdc::app {
 namespace {
 
-struct AblationOptions {
+struct AblationCommandOptions {
   std::vector<std::string> sequences;
   InputOptions input;  ///< how each of them is to be read
   std::optional<std::string> output;
@@ -38,7 +38,7 @@ struct AblationOptions {
 using Inputs = std::vector<std::unique_ptr<SequenceInput>>;
 
 /// Results are told apart by the names of the sequences.
-void check_names(const AblationOptions& options, const Inputs& inputs) {
+void check_names(const AblationCommandOptions& options, const Inputs& inputs) {
   std::map<std::string, std::string> folders;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto [entry, is_new] = folders.emplace(inputs[i]->name, options.sequences[i]);
@@ -49,7 +49,7 @@ void check_names(const AblationOptions& options, const Inputs& inputs) {
 }
 
 /// Opens the sequences and finds what would otherwise end the command after minutes of work.
-Inputs open_inputs(const AblationOptions& options, const std::vector<AblationColumn>& columns) {
+Inputs open_inputs(const AblationCommandOptions& options, const std::vector<AblationColumn>& columns) {
   Inputs inputs;
   for (const std::string& folder : options.sequences) {
     InputOptions how = options.input;
@@ -94,9 +94,9 @@ std::shared_ptr<const nlohmann::ordered_json> page_run(const SequenceInput& inpu
 }
 
 /// @param warnings  what was said about the truth of this sequence
-AblationCell run_column(const SequenceInput& input, const std::string& folder, const AblationOptions& options,
-                        const AblationColumn& column, const InterruptWatch& interrupts,
-                        std::set<std::string>& warnings) {
+AblationCell run_column(const SequenceInput& input, const std::string& folder,
+                        const AblationCommandOptions& options, const AblationColumn& column,
+                        const InterruptWatch& interrupts, std::set<std::string>& warnings) {
   Slam slam(input.camera, column.settings,
             chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation));
   RunRecord record;
@@ -116,7 +116,7 @@ AblationCell run_column(const SequenceInput& input, const std::string& folder, c
   return cell;
 }
 
-void run_ablation(const AblationOptions& options) {
+void run_ablation(const AblationCommandOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
   const std::vector<AblationColumn> columns = ablation_columns(options.columns);
@@ -168,7 +168,7 @@ Examples:
 }  // namespace
 
 void add_ablation_command(Command program) {
-  auto options = std::make_shared<AblationOptions>();
+  auto options = std::make_shared<AblationCommandOptions>();
   Command command = program.add_subcommand("ablation", "Tables 1 and 4 of the paper, on any sequences");
   command.add_option("INPUTS", options->sequences, std::string(kInputHelp) + ", with true poses").required();
   command.add_option("--output,-o", options->output,

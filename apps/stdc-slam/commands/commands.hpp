@@ -6,6 +6,7 @@ namespace stdc::app {
 
 // Each adds its subcommand to the program; the work is done in the subcommand's callback, which throws
 // stdc::Error for whatever the user can correct (exit code 2).
+void add_calibrate_command(Command program);
 void add_convert_command(Command program);
 void add_evaluate_command(Command program);
 void add_ablation_command(Command program);

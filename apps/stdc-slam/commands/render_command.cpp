@@ -87,12 +87,6 @@ void check_effect(const RenderOptions& options, simulation::Preset preset,
                 "leave it out");
   }
   if (!camera) return;
-  if (camera->readout_time != 0) {
-    throw Error(options.camera,
-                fmt::format("readout_time {:g} cannot be rendered, all rows are exposed at once",
-                            camera->readout_time),
-                "leave it out of the camera file, or make it 0");
-  }
   if (camera->rotation != 0) {
     throw Error(options.camera,
                 fmt::format("rotation {} cannot be rendered, the camera is held upright", camera->rotation),

@@ -38,13 +38,13 @@ std::string describe_sample(const TrackingResult& result) {
 /// green.
 void draw_keypoints(cv::Mat& picture, const FrameView& view, double factor) {
   const cv::Scalar inlier(255, 220, 60), outlier(40, 110, 255);
-  constexpr int kShift = 4;  // fraction bits of OpenCV's drawing coordinates
+  constexpr int kFraction = 4;  // fraction bits of OpenCV's drawing coordinates
   for (std::size_t i = 0; i < view.keypoints.size(); ++i) {
     if (view.states[i] == KeypointState::unmatched) continue;
-    const auto fixed = [&](float v) { return cvRound(((v + 0.5F) * factor - 0.5F) * (1 << kShift)); };
+    const auto fixed = [&](float v) { return cvRound(((v + 0.5F) * factor - 0.5F) * (1 << kFraction)); };
     const cv::Point at(fixed(view.keypoints[i].x), fixed(view.keypoints[i].y));
-    cv::circle(picture, at, 3 << (kShift - 1), view.states[i] == KeypointState::inlier ? inlier : outlier,
-               cv::FILLED, cv::LINE_AA, kShift);
+    cv::circle(picture, at, 3 << (kFraction - 1), view.states[i] == KeypointState::inlier ? inlier : outlier,
+               cv::FILLED, cv::LINE_AA, kFraction);
   }
 }
 

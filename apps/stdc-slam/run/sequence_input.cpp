@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "input/camera_file.hpp"
+#include "input/shifted_depth.hpp"
 
 namespace stdc::app {
 namespace {
@@ -29,8 +30,13 @@ SequenceInput::SequenceInput(const InputOptions& options)
     : SequenceInput(options, open_source(options.path, options.source)) {}
 
 SequenceInput::SequenceInput(const InputOptions& options, std::unique_ptr<FrameSource> source)
+    : SequenceInput(options, std::move(source), std::nullopt) {}
+
+SequenceInput::SequenceInput(const InputOptions& options, std::unique_ptr<FrameSource> source,
+                             const std::optional<RgbdCameras>& used)
     : name(name_of(options.path)), source_(std::move(source)) {
-  cameras = find_cameras(*source_, options.camera);
+  cameras = used ? *used : find_cameras(*source_, options.camera);
+  if (cameras.depth_time_offset != 0) source_ = shift_depth(std::move(source_), cameras.depth_time_offset);
   for (const std::string& note : source_->notes()) fmt::print(stderr, "stdc-slam: {}\n", note);
   if (!source_->truth_comes_last()) truth_file();
   range_ = parse_frame_range(options.frames, source_->frame_count());

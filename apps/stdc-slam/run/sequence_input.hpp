@@ -30,6 +30,10 @@ class SequenceInput {
   explicit SequenceInput(const InputOptions& options);
   /// The same of a source that was opened elsewhere.
   SequenceInput(const InputOptions& options, std::unique_ptr<FrameSource> source);
+  /// The same with other cameras.
+  /// @param used  nothing: those of the options or the source
+  SequenceInput(const InputOptions& options, std::unique_ptr<FrameSource> source,
+                const std::optional<RgbdCameras>& used);
   SequenceInput(const SequenceInput&) = delete;
   SequenceInput& operator=(const SequenceInput&) = delete;
 

@@ -1,0 +1,297 @@
+#include "calibration/calibrate.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stdc {
+namespace {
+
+using Parameters = std::vector<CalibrationParameter>;
+
+/// How a parameter is gone about; by CalibrationParameter.
+struct Search {
+  double step;       ///< between the samples of the first round
+  double min_step;   ///< less would show how depth pixels scatter, and not how
+                     ///< the cost changes
+  double max_sigma;  ///< beyond which it counts as not seen
+};
+constexpr std::array<Search, kCalibrationParameters> kSearch{{
+    {0.015, 0.004, 0.008},  // depth_time_offset [s]
+    {0.008, 0.003, 0.006},  // readout_time [s]
+    {0.01, 0.004, 0.006},   // focal_length, a factor
+    {4, 1.5, 3},            // cx [px]
+    {4, 1.5, 3},            // cy [px]
+}};
+
+const Search& search_of(CalibrationParameter parameter) {
+  return kSearch[static_cast<std::size_t>(parameter)];
+}
+
+CalibrationValues moved(CalibrationValues values, const Parameters& wanted, const Eigen::VectorXd& by) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    double& value = values[static_cast<std::size_t>(wanted[i])];
+    value += by[static_cast<Eigen::Index>(i)];
+    if (wanted[i] == CalibrationParameter::readout_time) value = std::max(value, 0.0);
+  }
+  return values;
+}
+
+/// A quadratic around some values: cost(u) = cost + gradient u + u hessian u /
+/// 2, u in steps.
+struct Quadratic {
+  double cost = 0;
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd hessian;
+  bool is_convex = false;
+  Eigen::VectorXd lowest;  ///< of the samples, in steps
+};
+
+/// The samples of a fit: the middle, each parameter a step to both sides, and
+/// each pair together.
+std::vector<Eigen::VectorXd> sample_places(Eigen::Index n) {
+  std::vector<Eigen::VectorXd> places{Eigen::VectorXd::Zero(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    places.emplace_back(Eigen::VectorXd::Unit(n, i));
+    places.emplace_back(-Eigen::VectorXd::Unit(n, i));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = i + 1; j < n; ++j)
+      places.emplace_back(Eigen::VectorXd::Unit(n, i) + Eigen::VectorXd::Unit(n, j));
+  }
+  return places;
+}
+
+std::optional<Quadratic> fit_quadratic(const CalibrationProblem& problem, const CalibrationValues& values,
+                                       const Parameters& wanted, const Eigen::VectorXd& steps) {
+  const auto n = static_cast<Eigen::Index>(wanted.size());
+  const std::vector<Eigen::VectorXd> places = sample_places(n);
+  std::vector<double> costs;
+  for (const Eigen::VectorXd& place : places) {
+    const auto cost = problem.cost(moved(values, wanted, place.cwiseProduct(steps)));
+    if (!cost) return std::nullopt;
+    costs.push_back(*cost);
+  }
+  Quadratic fit{
+      .cost = costs[0], .gradient = Eigen::VectorXd(n), .hessian = Eigen::MatrixXd(n, n), .lowest = {}};
+  const auto plus = [&](Eigen::Index i) { return costs[static_cast<std::size_t>(1 + 2 * i)]; };
+  const auto minus = [&](Eigen::Index i) { return costs[static_cast<std::size_t>(2 + 2 * i)]; };
+  auto pair = static_cast<std::size_t>(1 + 2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    fit.gradient[i] = 0.5 * (plus(i) - minus(i));
+    fit.hessian(i, i) = plus(i) + minus(i) - 2 * costs[0];
+    for (Eigen::Index j = i + 1; j < n; ++j) {
+      fit.hessian(i, j) = fit.hessian(j, i) = costs[pair++] - plus(i) - plus(j) + costs[0];
+    }
+  }
+  const auto lowest = std::min_element(costs.begin(), costs.end()) - costs.begin();
+  fit.lowest = places[static_cast<std::size_t>(lowest)];
+  constexpr double kFlat = 0.02;  // of the cost over a step: less than that is noise
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(fit.hessian);
+  fit.is_convex = eigen.info() == Eigen::Success && eigen.eigenvalues().minCoeff() > kFlat;
+  return fit;
+}
+
+/// Where the quadratic has its minimum, in steps; not farther than what the
+/// samples can vouch for.
+Eigen::VectorXd step_to_minimum(const Quadratic& fit) {
+  constexpr double kMaxSteps = 2;
+  Eigen::VectorXd step = -fit.hessian.ldlt().solve(fit.gradient);
+  if (!fit.is_convex) {
+    // Each for itself, and no farther than the samples.
+    for (Eigen::Index i = 0; i < step.size(); ++i) {
+      const double curvature = fit.hessian(i, i);
+      step[i] = curvature > 0 ? std::clamp(-fit.gradient[i] / curvature, -1.0, 1.0) : fit.lowest[i];
+    }
+  }
+  const double largest = step.cwiseAbs().maxCoeff();
+  return largest > kMaxSteps ? Eigen::VectorXd(kMaxSteps / largest * step) : step;
+}
+
+/// Only depths that all samples have may count: their costs are compared.
+void choose_common_depths(CalibrationProblem& problem, const CalibrationValues& values,
+                          const Parameters& wanted, const Eigen::VectorXd& steps) {
+  std::vector<std::uint8_t> common = problem.depths_at(values);
+  const auto n = static_cast<Eigen::Index>(wanted.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (const double side : {-1.0, 1.0}) {
+      const auto there =
+          problem.depths_at(moved(values, wanted, side * steps[i] * Eigen::VectorXd::Unit(n, i)));
+      for (std::size_t k = 0; k < common.size(); ++k) common[k] = common[k] != 0 && there[k] != 0 ? 1 : 0;
+    }
+  }
+  problem.choose_depths(std::move(common));
+}
+
+/// Depth may be late by several frames: the lowest of samples over a quarter of
+/// a second is where to start.
+double scan_time_offset(CalibrationProblem& problem, CalibrationValues values) {
+  constexpr double kReach = 0.12, kStep = 0.02;  // [s]
+  const double middle = values[0];
+  std::vector<std::uint8_t> common = problem.depths_at(values);
+  for (double by = -kReach; by < kReach + 0.5 * kStep; by += kStep) {
+    values[0] = middle + by;
+    const auto there = problem.depths_at(values);
+    for (std::size_t k = 0; k < common.size(); ++k) common[k] = common[k] != 0 && there[k] != 0 ? 1 : 0;
+  }
+  problem.choose_depths(std::move(common));
+  double best = middle;
+  std::optional<double> lowest;
+  for (double by = -kReach; by < kReach + 0.5 * kStep; by += kStep) {
+    values[0] = middle + by;
+    const auto cost = problem.cost(values);
+    if (cost && (!lowest || *cost < *lowest)) lowest = cost, best = values[0];
+  }
+  return best;
+}
+
+class Calibrator {
+ public:
+  Calibrator(const CalibrationScene& scene, const CalibrationValues& given, Parameters wanted,
+             std::function<void(int)> on_fit)
+      : problem_(scene, given),
+        values_(given),
+        wanted_(std::move(wanted)),
+        steps_(static_cast<Eigen::Index>(wanted_.size())),
+        on_fit_(std::move(on_fit)) {
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      steps_[static_cast<Eigen::Index>(i)] = search_of(wanted_[i]).step;
+  }
+
+  void search() {
+    constexpr int kMaxRounds = 10;
+    if (std::find(wanted_.begin(), wanted_.end(), CalibrationParameter::depth_time_offset) != wanted_.end()) {
+      values_[0] = scan_time_offset(problem_, values_);
+    }
+    for (int round = 0; round < kMaxRounds; ++round) {
+      choose_common_depths(problem_, values_, wanted_, steps_);
+      problem_.settle(values_);
+      const auto found = fit();
+      if (!found) return;
+      const Eigen::VectorXd step = step_to_minimum(*found);
+      values_ = moved(values_, wanted_, step.cwiseProduct(steps_));
+      if (adapt_steps(*found) && step.cwiseAbs().maxCoeff() < 0.1) return;
+    }
+  }
+
+  /// By parameter; infinite where nothing is seen.
+  Eigen::VectorXd sigmas() {
+    const auto n = static_cast<Eigen::Index>(wanted_.size());
+    choose_common_depths(problem_, values_, wanted_, steps_);
+    problem_.settle(values_);
+    const auto found = fit();
+    Eigen::VectorXd sigma = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+    if (!found || !found->is_convex) return sigma;
+    sigma = found->hessian.inverse().diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(steps_);
+    return sigma.cwiseMax(jackknife(false)).cwiseMax(jackknife(true));
+  }
+
+  const CalibrationValues& values() const { return values_; }
+  const CalibrationProblem& problem() const { return problem_; }
+
+ private:
+  std::optional<Quadratic> fit() {
+    if (on_fit_) on_fit_(++fits_);
+    return fit_quadratic(problem_, values_, wanted_, steps_);
+  }
+
+  /// Makes steps of about three standard deviations: there the cost differs
+  /// clearly, and is still quadratic. Whether they were so already.
+  bool adapt_steps(const Quadratic& fit) {
+    constexpr double kSigmas = 3, kAlike = 1.5;
+    if (!fit.is_convex) return false;
+    const Eigen::VectorXd sigmas =
+        fit.hessian.inverse().diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(steps_);
+    bool settled = true;
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      const Search& search = search_of(wanted_[i]);
+      double& step = steps_[static_cast<Eigen::Index>(i)];
+      const double next =
+          std::clamp(kSigmas * sigmas[static_cast<Eigen::Index>(i)], search.min_step, search.step);
+      settled = settled && next < kAlike * step && step < kAlike * next;
+      step = next;
+    }
+    return settled;
+  }
+
+  /// How much the result depends on which part of the data there is.
+  Eigen::VectorXd jackknife(bool of_views) {
+    constexpr int kGroups = 5;
+    const auto n = static_cast<Eigen::Index>(wanted_.size());
+    std::vector<Eigen::VectorXd> results;
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
+    for (int group = 0; group < kGroups; ++group) {
+      problem_.leave_out({group, kGroups, of_views});
+      const auto found = fit();
+      if (!found || !found->is_convex) continue;
+      results.push_back(step_to_minimum(*found).cwiseProduct(steps_));
+      mean += results.back();
+    }
+    problem_.leave_out({});
+    if (results.size() < 3) return Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+    const auto count = static_cast<double>(results.size());
+    mean /= count;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+    for (const Eigen::VectorXd& result : results) sum += (result - mean).cwiseAbs2();
+    return ((count - 1) / count * sum).cwiseSqrt();
+  }
+
+  CalibrationProblem problem_;
+  CalibrationValues values_;
+  Parameters wanted_;
+  Eigen::VectorXd steps_;
+  std::function<void(int)> on_fit_;
+  int fits_ = 0;
+};
+
+}  // namespace
+
+namespace {
+
+Calibration estimate(const CalibrationScene& scene, const CalibrationValues& given, const Parameters& wanted,
+                     const std::function<void(int)>& on_fit) {
+  Calibrator calibrator(scene, given, wanted, on_fit);
+  Calibration result;
+  result.values = given;
+  result.keyframes = static_cast<int>(scene.views.size());
+  result.points = static_cast<int>(scene.problem.points.size());
+  result.observations = calibrator.problem().observations();
+  calibrator.search();
+  const Eigen::VectorXd sigmas = calibrator.sigmas();
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto k = static_cast<std::size_t>(wanted[i]);
+    CalibratedValue value{wanted[i], given[k], calibrator.values()[k], sigmas[static_cast<Eigen::Index>(i)]};
+    value.seen = value.sigma <= search_of(wanted[i]).max_sigma;
+    if (value.seen) {
+      result.values[k] = value.value;
+    } else {
+      value.value = value.given;
+    }
+    result.estimates.push_back(value);
+  }
+  return result;
+}
+
+bool is_intrinsic(CalibrationParameter parameter) { return parameter >= CalibrationParameter::focal_length; }
+
+}  // namespace
+
+Calibration calibrate(const CalibrationScene& scene, const CalibrationValues& given, const Parameters& wanted,
+                      const std::function<void(int)>& on_fit) {
+  Calibration all = estimate(scene, given, wanted, on_fit);
+  const bool any =
+      std::any_of(all.estimates.begin(), all.estimates.end(), [](const auto& value) { return value.seen; });
+  Parameters times = wanted;
+  std::erase_if(times, is_intrinsic);
+  if (any || times.empty() || times.size() == wanted.size()) return all;
+  // Together they do not show; times may by themselves.
+  Calibration result = estimate(scene, given, times, on_fit);
+  for (const CalibratedValue& value : all.estimates) {
+    if (is_intrinsic(value.parameter)) result.estimates.push_back(value);
+  }
+  return result;
+}
+
+}  // namespace stdc
