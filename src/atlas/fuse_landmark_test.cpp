@@ -9,7 +9,7 @@
 namespace stdc {
 namespace {
 
-constexpr KeyframeId keyframe_id(std::uint32_t value) { return {value}; }
+constexpr KeyframeId id_of(std::uint32_t value) { return {value}; }
 
 /// Three keyframes of a room and no landmarks.
 class Fusing : public ::testing::Test {
@@ -27,26 +27,26 @@ class Fusing : public ::testing::Test {
     }
   }
   void TearDown() override {
-    for (std::uint32_t k = 0; k < 3; ++k) atlas().update_covisibility(keyframe_id(k));
+    for (std::uint32_t k = 0; k < 3; ++k) atlas().update_covisibility(id_of(k));
     test::expect_consistent(atlas());
   }
   Atlas& atlas() { return mapped.atlas; }
   int keypoint(int point, std::uint32_t keyframe) const { return mapped.views[keyframe].keypoint_of(point); }
   LandmarkId standing(int point, std::uint32_t keyframe) const {
-    return mapped.atlas.keyframe(keyframe_id(keyframe)).landmarks[keypoint(point, keyframe)];
+    return mapped.atlas.keyframe(id_of(keyframe)).landmarks[keypoint(point, keyframe)];
   }
   /// A landmark of a point that some keyframes see, perhaps beside its place [m].
   LandmarkId make(int point, const std::vector<std::uint32_t>& keyframes,
                   const Eigen::Vector3d& beside = Eigen::Vector3d::Zero()) {
     const LandmarkId landmark =
-        atlas().add_landmark(mapped.scene.points[point].position + beside, keyframe_id(keyframes.front()));
+        atlas().add_landmark(mapped.scene.points[point].position + beside, id_of(keyframes.front()));
     for (const std::uint32_t k : keyframes)
-      EXPECT_TRUE(atlas().observe(keyframe_id(k), keypoint(point, k), landmark));
+      EXPECT_TRUE(atlas().observe(id_of(k), keypoint(point, k), landmark));
     atlas().refresh(landmark);
     return landmark;
   }
   bool fuse(std::uint32_t keyframe, LandmarkId landmark) {
-    return fuse_landmark(atlas(), keyframe_id(keyframe), landmark, {mapped.scene.camera, noise}, search);
+    return fuse_landmark(atlas(), id_of(keyframe), landmark, {mapped.scene.camera, noise}, search);
   }
 
   test::MappedScene mapped;
@@ -107,7 +107,7 @@ TEST_F(Fusing, AKeyframeThatSawBothKeepsTheObservationOfTheOneThatStays) {
   const LandmarkId stays = make(points[0], {0, 1, 2}), goes = make(twin, {1});
   merge_landmarks(atlas(), goes, stays, {mapped.scene.camera, noise});
   EXPECT_FALSE(atlas().has(goes));
-  EXPECT_EQ(atlas().keypoint_of(stays, keyframe_id(1)), keypoint(points[0], 1));
+  EXPECT_EQ(atlas().keypoint_of(stays, id_of(1)), keypoint(points[0], 1));
   EXPECT_FALSE(standing(twin, 1).valid());
 }
 
@@ -132,13 +132,13 @@ TEST_F(Fusing, SeenFromBehindOrFromAfarItIsNotLookedFor) {
   const LandmarkId turned = make(points[0], {0});
   // The only observation is from the other side of it.
   const Eigen::Vector3d place = atlas().landmark(turned).position;
-  atlas().set_pose(keyframe_id(0), test::camera_at(place.x(), place.y(), place.z() + 2));
+  atlas().set_pose(id_of(0), test::camera_at(place.x(), place.y(), place.z() + 2));
   atlas().refresh(turned);
   EXPECT_FALSE(fuse(2, turned));
   const LandmarkId small = make(points[1], {1});
   // A hand's breadth before the camera that knows it: too small to be seen from here.
   const Eigen::Vector3d there = atlas().landmark(small).position;
-  atlas().set_pose(keyframe_id(1), test::camera_at(there.x(), there.y(), there.z() - 0.1));
+  atlas().set_pose(id_of(1), test::camera_at(there.x(), there.y(), there.z() - 0.1));
   atlas().refresh(small);
   EXPECT_FALSE(fuse(2, small));
 }
@@ -182,13 +182,13 @@ TEST_F(Fusing, ObservationsAreAlignedToTheOldest) {
   for (const int point : room.views[0].points) {
     const int there = room.views[1].keypoint_of(point);
     if (there < 0) continue;
-    const LandmarkId landmark = room.atlas.add_landmark(room.scene.points[point].position, keyframe_id(0));
-    room.atlas.observe(keyframe_id(0), room.views[0].keypoint_of(point), landmark);
+    const LandmarkId landmark = room.atlas.add_landmark(room.scene.points[point].position, id_of(0));
+    room.atlas.observe(id_of(0), room.views[0].keypoint_of(point), landmark);
     room.atlas.refresh(landmark);
-    const Eigen::Vector2f before = room.atlas.keyframe(keyframe_id(1)).measurements[there].seen;
-    if (!fuse_landmark(room.atlas, keyframe_id(1), landmark, {room.scene.camera, noise}, search)) continue;
+    const Eigen::Vector2f before = room.atlas.keyframe(id_of(1)).measurements[there].seen;
+    if (!fuse_landmark(room.atlas, id_of(1), landmark, {room.scene.camera, noise}, search)) continue;
     ++fused;
-    moved += room.atlas.keyframe(keyframe_id(1)).measurements[there].seen != before ? 1 : 0;
+    moved += room.atlas.keyframe(id_of(1)).measurements[there].seen != before ? 1 : 0;
   }
   EXPECT_GT(fused, 30);
   EXPECT_GT(moved, fused / 2);

@@ -107,7 +107,8 @@ TEST_F(InpaintCommandLine, RefusesInOneLineAndWritesNothing) {
   expect_refusal(std::string(kInpaintRun) + "--inpaint full/thesis.txt", "is not a folder");
   expect_refusal(std::string(kInpaintRun) + "--inpaint o", "cannot be put into the folder of --inpaint");
   fs::remove_all(folder_ / "clean/mask");
-  expect_refusal(std::string(kInpaintRun) + "--inpaint clean", "holds a sequence that --inpaint did not write");
+  expect_refusal(std::string(kInpaintRun) + "--inpaint clean",
+                 "holds a sequence that --inpaint did not write");
   EXPECT_FALSE(fs::exists(folder_ / "d"));
   EXPECT_EQ(content(folder_ / "full/thesis.txt"), "words");
   const Outcome alone = call(std::string(kInpaintRun) + "--inpaint-all");

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "commands/commands.hpp"
+#include "commands/view_options.hpp"
 #include "run/run_ros2.hpp"
 
 namespace stdc::app {
@@ -33,6 +34,7 @@ Exit code: 0, 2 for bad input, 3 if no frame got a pose.
 Examples:
   stdc-slam ros2 --color /camera/color/image_raw --depth /camera/aligned_depth_to_color/image_raw
   stdc-slam ros2 --color /camera/color/image_raw --depth /camera/depth/image_rect_raw --base-frame base_footprint
+  stdc-slam ros2 --color ... --depth ... --view                        (watch it at http://localhost:8080/)
   stdc-slam ros2 --color ... --depth ... --load-map office.map --localisation-only
   stdc-slam ros2 --color ... --depth ... --reception every-frame --output results     (beside ros2 bag play)
   ros2 topic pub --once /stdc_slam/save_map std_msgs/msg/Empty)";
@@ -94,6 +96,7 @@ void add_ros2_command(Command program) {
   command.add_flag("--dynamic-mask", options->publish_mask, "Publish the mask of what moves; costs latency");
   command.add_flag("--debug-image", options->publish_debug_image,
                    "Publish a picture of the keypoints; costs latency");
+  add_view_options(command, options->view);
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command.footer(kRos2Footer);
   command.callback([options] {

@@ -93,6 +93,18 @@ TEST_F(Ros2CommandLine, GivesThePosesOfTheFolderToTheByte) {
   }
 }
 
+TEST_F(Ros2CommandLine, ShowsItInABrowserWithoutAnotherByte) {
+  make_sequence(21);
+  ASSERT_EQ(call("run s --output o --frames :20 --segmentation off --motion off --quiet").code, 0);
+  const Outcome outcome = script(fmt::format(
+      "$SLAM {} --camera s/camera.yaml --reception every-frame --frames :20 --view 0 --output ros &\n"
+      "$PEER play s --lossless --await 20 --odometry odometry --tf tf || exit 9\nwait $!",
+      kTopics));
+  ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "live view at http://localhost:")) << outcome.err;
+  EXPECT_EQ(content(folder_ / "ros/trajectory.txt"), content(folder_ / "o/trajectory.txt"));
+}
+
 TEST_F(Ros2CommandLine, TakesTheCameraFromItsInfoAndDepthInMillimetres) {
   make_sequence(21);
   ASSERT_EQ(call("run s --output o --frames :20 --segmentation off --motion off --quiet").code, 0);

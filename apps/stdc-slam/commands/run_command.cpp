@@ -5,6 +5,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/input_options.hpp"
+#include "commands/view_options.hpp"
 #include "core/error.hpp"
 #include "run/run_sequence.hpp"
 
@@ -96,16 +97,7 @@ void add_options(Command command, RunOptions& options) {
       .needs(inpaint);
   command.add_flag("--realtime", options.realtime,
                    "Give frames out at the pace of their timestamps, and tell how long each took from there");
-  const CommandOption view =
-      command
-          .add_option("--view", options.view.port,
-                      "Show the run in a browser while it goes on, at http://localhost:PORT/")
-          .optional_number("PORT", "8080");
-  command
-      .add_option("--view-address", options.view.address,
-                  "Address of this machine to show it at to others too, 0.0.0.0 for all; the link, which is "
-                  "printed, then has a token")
-      .needs(view);
+  const CommandOption view = add_view_options(command, options.view);
   command.add_flag("--view-wait", options.view.wait, "Begin when somebody looks").needs(view);
   command.add_flag("--no-report", options.no_report, "Leave out report.html");
   command.add_flag("--quiet,-q", options.quiet, "Print only what goes wrong");

@@ -75,7 +75,8 @@ TEST_F(ViewCommandLine, TheWordAfterTheOptionIsNoPort) {
 
 TEST_F(ViewCommandLine, AnAddressForOthersHasAToken) {
   make_sequence();
-  const Outcome outcome = call(fmt::format("{} --frames 0:2 --quiet --view 0 --view-address 0.0.0.0", kViewRun));
+  const Outcome outcome =
+      call(fmt::format("{} --frames 0:2 --quiet --view 0 --view-address 0.0.0.0", kViewRun));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(contains(outcome.err, "/?token=")) << outcome.err;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -54,15 +55,15 @@ LiveView::LiveView(const LiveViewOptions& options, const SequenceInput& input, c
   std::fflush(stderr);
 }
 
-void LiveView::begin(const Slam& slam) {
-  slam_ = &slam;
+void LiveView::begin(std::function<const Slam&()> slam) {
+  slam_ = std::move(slam);
   if (options_.wait) server_.wait_for_page([this] { return interrupts_.interrupted(); });
 }
 
 void LiveView::on_frame(const ObservedFrame& frame) {
-  server_.show(frame.image, frame.result, *slam_, [this] { return interrupts_.interrupted(); });
+  server_.show(frame.image, frame.result, slam_(), [this] { return interrupts_.interrupted(); });
 }
 
-void LiveView::on_end(const std::vector<LoopReport>& loops) { server_.finish(*slam_, loops); }
+void LiveView::on_end(const std::vector<LoopReport>& loops) { server_.finish(slam_(), loops); }
 
 }  // namespace stdc::app

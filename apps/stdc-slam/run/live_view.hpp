@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,7 +18,7 @@ struct LiveViewOptions {
   bool wait = false;                   ///< begin when somebody looks
 };
 
-/// The page of `run --view`: shows each frame, and holds the run where the page says so.
+/// The page of `--view`: shows each frame, and holds a run where the page says so.
 class LiveView : public FrameObserver {
  public:
   /// Starts to serve, and says on stderr where. Throws Error if the port is taken.
@@ -27,15 +28,16 @@ class LiveView : public FrameObserver {
   LiveView(const LiveViewOptions& options, const SequenceInput& input, const Settings& slam_settings,
            bool realtime, bool quiet, const InterruptWatch& interrupts);
 
-  /// Before the first frame; waits for a page if it is to. `slam` must outlive the last frame.
-  void begin(const Slam& slam);
+  /// Before the first frame; waits for a page if it is to.
+  /// @param slam  whose frames they are: asked at each frame, as a robot may begin anew
+  void begin(std::function<const Slam&()> slam);
   void on_frame(const ObservedFrame& frame) override;
   void on_end(const std::vector<LoopReport>& loops) override;
 
  private:
   const LiveViewOptions options_;
   const InterruptWatch& interrupts_;
-  const Slam* slam_ = nullptr;
+  std::function<const Slam&()> slam_;
   ViewServer server_;
 };
 

@@ -8,6 +8,7 @@
 #include "commands/settings_options.hpp"
 #include "ros2/ros2_source.hpp"
 #include "ros2/slam_publisher.hpp"
+#include "run/live_view.hpp"
 
 namespace stdc::app {
 
@@ -23,6 +24,7 @@ struct Ros2Options {
   bool localisation_only = false, quiet = false;
   SettingsOptions settings;
   SegmentationOptions segmentation;
+  LiveViewOptions view;
 };
 
 }  // namespace stdc::app

@@ -174,7 +174,9 @@ void Ros2Session::begin_anew(const std::string& why) {
 void Ros2Session::finish() {
   parts_.publisher.flush();
   Slam& slam = live_.slam();
-  for (const LoopReport& loop : slam.finish()) record_.add(loop);
+  const std::vector<LoopReport> loops = slam.finish();
+  for (const LoopReport& loop : loops) record_.add(loop);
+  for (FrameObserver* observer : observers_) observer->on_end(loops);
   if (parts_.options.output) {
     OutputFolder output(*parts_.options.output);
     const std::vector<FramePose> poses =

@@ -45,6 +45,8 @@ class Ros2Session {
   void finish();
 
   const Ros2Status& status() const { return status_; }
+  /// The present one: another after it was begun anew.
+  const Slam& slam() const { return live_.slam(); }
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -11,6 +11,7 @@
 #include "input/recordings/topic_names.hpp"
 #include "run/frame_loader.hpp"
 #include "run/interrupt_watch.hpp"
+#include "run/live_view.hpp"
 #include "run/progress.hpp"
 #include "run/ros2_session.hpp"
 #include "run/run_checks.hpp"
@@ -166,11 +167,18 @@ bool run_ros2(const Ros2Options& options) {
   InputOptions input_options;
   input_options.camera = options.camera;
   input_options.frames = options.frames;
-  const SequenceInput input(input_options, std::move(owned));
+  SequenceInput input(input_options, std::move(owned));
+  input.name = options.topics.colour;
   const auto make_segmenter = [&] {
     return chosen_segmenter(options.segmentation, settings, "", input.camera.rotation);
   };
   Ros2Session session({options, source, publisher, requests}, input.camera, settings, make_segmenter);
+  std::optional<LiveView> view;
+  if (options.view.port) {
+    view.emplace(options.view, input, settings, true, options.quiet, interrupts);
+    view->begin([&session]() -> const Slam& { return session.slam(); });
+    session.add_observer(*view);
+  }
   find_mount(options, session, interrupts);
   track_all(input, settings, options, interrupts, session);
   session.finish();

@@ -124,7 +124,7 @@ bool run_sequence(const RunOptions& options) {
   if (!options.no_report) outputs.samples.emplace(slam, input.expected_frame_count());
   std::vector<FrameObserver*> observers = outputs.observers();
   if (view) {
-    view->begin(slam);
+    view->begin([&slam]() -> const Slam& { return slam; });
     observers.push_back(&*view);
   }
   track_frames(

@@ -49,7 +49,8 @@ export class Model {
     const newest = frames && frames.length > 0 ? frames[frames.length - 1]! : -1;
     const tail: number[] = [];
     for (let i = this.frames.length - 1; i >= 0 && this.frames[i]!.frame > newest; --i) {
-      const frame = this.frames[i]!;
+      const frame = this.frames[i]!, next = this.frames[i + 1];
+      if (next && next.frame <= frame.frame) break;  // the run began anew there
       if (frame.pose && frame.status === Status.ok && frame.map === map) tail.push(...frame.pose.position.slice().reverse());
     }
     const path = new Float32Array(known.length + tail.length);
