@@ -23,6 +23,7 @@ endif()
 # How many files of a folder are compiled together at most: enough to save most of what can be saved, few enough that two
 # cores share the last of them.
 set(STDC_UNITED_FILES 12)
+set(STDC_UNITED_TESTS 6)
 
 # Tests are compiled with little optimisation: more costs twice the compile time and gains little.
 set(STDC_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>")
@@ -108,7 +109,7 @@ function(stdc_add_layer name)
     target_link_libraries(stdc_${name}_test PRIVATE ${LAYER_TEST_DEPENDS} stdc_${name} GTest::gtest_main)
     target_compile_options(stdc_${name}_test PRIVATE ${STDC_TEST_OPTIONS})
     stdc_use_precompiled(stdc_${name}_test stdc_test_precompiled)
-    stdc_unite(stdc_${name}_test ${STDC_UNITED_FILES} ${tests})
+    stdc_unite(stdc_${name}_test ${STDC_UNITED_TESTS} ${tests})
     if(LAYER_ONE_TEST)
       add_test(NAME ${name} COMMAND stdc_${name}_test)
     else()

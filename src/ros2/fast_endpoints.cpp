@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <deque>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -21,6 +22,7 @@ namespace rtps = eprosima::fastrtps::rtps;
 constexpr const char* kEndpointHint = "check the network and the memory that is left";
 /// Messages that a publisher has to keep while we are busy, and we while our own threads are.
 constexpr int kMaxKept = 16;
+constexpr std::size_t kMaxQueued = 16;
 constexpr std::uint32_t kHeartbeat = 50'000'000;  // [ns]
 
 /// Sets what readers and writers share.
@@ -48,40 +50,70 @@ std::string policy_name(dds::QosPolicyId_t policy) {
   return fmt::format("policy {}", static_cast<int>(policy));
 }
 
+/// Where the newest messages count, they are taken out of the middleware as they come, into a queue of our
+/// own: Fast DDS 2.9 fails an assertion when it drops an old message of a full history while another thread
+/// takes one. Where none may be lost they stay there until they are asked for, which makes their publisher
+/// wait.
 class FastSubscription : public Subscription, private dds::DataReaderListener {
  public:
   FastSubscription(dds::Subscriber& subscriber, dds::Topic& topic, const Delivery& delivery,
                    std::function<void()> on_message)
-      : subscriber_(subscriber), on_message_(std::move(on_message)) {
+      : subscriber_(subscriber),
+        on_message_(std::move(on_message)),
+        depth_(static_cast<std::size_t>(delivery.depth)) {
     dds::DataReaderQos qos = subscriber.get_default_datareader_qos();
     set_delivery(delivery, qos);
     qos.reliable_reader_qos().times.heartbeatResponseDelay = {0,
                                                               0};  // who waits for us shall not wait longer
-    reader_ = subscriber.create_datareader(&topic, qos, this, dds::StatusMask::all());
-    if (reader_ == nullptr) throw Error(topic.get_name(), "cannot be subscribed to", kEndpointHint);
+    dds::DataReader* const made = subscriber.create_datareader(&topic, qos, this, dds::StatusMask::all());
+    reader_ = made;
+    if (made == nullptr) throw Error(topic.get_name(), "cannot be subscribed to", kEndpointHint);
   }
   ~FastSubscription() override {
-    reader_->set_listener(nullptr);
-    subscriber_.delete_datareader(reader_);
+    dds::DataReader* const reader = reader_;
+    reader->set_listener(nullptr);
+    subscriber_.delete_datareader(reader);
   }
 
   std::optional<std::vector<std::uint8_t>> take() override {
-    std::vector<std::uint8_t> bytes;
-    dds::SampleInfo info;
-    while (reader_->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) return bytes;  // else the publisher said that it goes
-    }
-    return std::nullopt;
+    if (keeps_all()) return take_from_middleware();
+    const std::lock_guard lock(mutex_);
+    if (queue_.empty()) return std::nullopt;
+    std::vector<std::uint8_t> bytes = std::move(queue_.front());
+    queue_.pop_front();
+    return bytes;
   }
   int publishers() const override { return publishers_; }
-  int lost() const override { return lost_; }
+  int lost() const override { return lost_ + overflown_; }
   std::string incompatibility() const override {
     const std::lock_guard lock(mutex_);
     return incompatibility_;
   }
 
  private:
-  void on_data_available(dds::DataReader* /*reader*/) override {
+  bool keeps_all() const { return depth_ == 0; }
+
+  std::optional<std::vector<std::uint8_t>> take_from_middleware() {
+    std::vector<std::uint8_t> bytes;
+    dds::SampleInfo info;
+    while (reader_.load()->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
+      if (info.valid_data) return bytes;  // else the publisher said that it goes
+    }
+    return std::nullopt;
+  }
+
+  void on_data_available(dds::DataReader* reader) override {
+    // The first messages may come before create_datareader() has returned.
+    reader_ = reader;
+    while (!keeps_all()) {
+      auto message = take_from_middleware();
+      if (!message) break;
+      const std::lock_guard lock(mutex_);
+      queue_.push_back(std::move(*message));
+      if (queue_.size() <= depth_ + kMaxQueued) continue;
+      queue_.pop_front();
+      ++overflown_;
+    }
     if (on_message_) on_message_();
   }
   void on_subscription_matched(dds::DataReader* /*reader*/,
@@ -99,10 +131,12 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
 
   dds::Subscriber& subscriber_;
   std::function<void()> on_message_;
-  std::atomic<int> publishers_ = 0, lost_ = 0;
+  std::size_t depth_;
+  std::atomic<int> publishers_ = 0, lost_ = 0, overflown_ = 0;
   mutable std::mutex mutex_;
+  std::deque<std::vector<std::uint8_t>> queue_;  ///< bounded, for a reader that was held up for half a second
   std::string incompatibility_;
-  dds::DataReader* reader_ = nullptr;  ///< of the subscriber
+  std::atomic<dds::DataReader*> reader_ = nullptr;  ///< of the subscriber
 };
 
 class FastPublication : public Publication, private dds::DataWriterListener {

@@ -76,7 +76,12 @@ class Ros2SourceTest : public ::testing::Test {
     ASSERT_TRUE(eventually([&] { return camera_.connected(); }));
   }
   void wait_for_cameras() {
-    ASSERT_TRUE(eventually([&] { return source_->wait_for_cameras(std::chrono::milliseconds(20)); }));
+    ASSERT_TRUE(eventually([&] {
+      if (source_->wait_for_cameras(std::chrono::milliseconds(20))) return true;
+      camera_.send_info();  // as cameras do with each image: what is sent before both sides know each other
+                            // is lost
+      return false;
+    }));
   }
 
   Node node_{test_domain()};

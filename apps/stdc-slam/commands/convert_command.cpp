@@ -1,4 +1,4 @@
-// stdc-slam convert: any input as a folder in TUM RGB-D layout.
+// stdc-slam convert: any input as a folder in TUM RGB-D layout, or as an MCAP recording.
 #include <fmt/format.h>
 
 #include <memory>
@@ -7,7 +7,7 @@
 #include "commands/commands.hpp"
 #include "commands/input_options.hpp"
 #include "core/error.hpp"
-#include "run/convert_input.hpp"
+#include "run/convert_to_mcap.hpp"
 
 namespace stdc::app {
 namespace {
@@ -15,15 +15,24 @@ namespace {
 struct ConvertOptions {
   InputOptions input;
   std::filesystem::path output;
+  McapResults results;
   bool overwrite = false, quiet = false;
+
+  bool to_mcap() const { return output.extension() == ".mcap"; }
 };
 
 void convert(const ConvertOptions& options) {
   const InterruptWatch interrupts;
   cv::setNumThreads(1);  // as in `run`
+  if (!options.to_mcap() && (options.results.folder || options.results.map || options.results.masks)) {
+    throw Error(options.output.string(), "has no place for results of a run",
+                "write an .mcap: --output FILE.mcap");
+  }
   const SequenceInput input(options.input);
   const ConvertReport report =
-      convert_input(input, options.output, options.overwrite, options.quiet, interrupts);
+      options.to_mcap() ? convert_to_mcap(input, options.output, options.overwrite, options.results,
+                                          options.quiet, interrupts)
+                        : convert_input(input, options.output, options.overwrite, options.quiet, interrupts);
   if (report.too_far > 0) {
     fmt::print(stderr, "stdc-slam: {}: {} depths of more than {:.1f} m are written as missing\n",
                options.input.path.string(), report.too_far, 65535 / input.camera.depth_units_per_metre);
@@ -41,9 +50,14 @@ The folder gets the layout of the TUM RGB-D benchmark: rgb/, depth/ (16 bit, reg
 depth.txt, camera.yaml, and, if the input has them, groundtruth.txt and imu.txt. Images are written without loss:
 `run` on the folder gives what it gives on the input. It appears at the end, whole, or not at all.
 
+FILE.mcap is a recording of ROS 2 messages, which Foxglove and `ros2 bag` open: colour as it is stored, registered depth
+(in metres as 32FC1 unless the input has millimetres), camera info, IMU, true poses. With --results, --map and --masks it
+shows what a run made of it, too: /tf and /stdc_slam/path, landmarks, masks of what moves.
+
 Examples:
   stdc-slam convert recording.bag --output recording
   stdc-slam convert scene0000_00.sens --output scene --frames 0:500
+  stdc-slam convert recording --output recording.mcap --results results --masks masks
   stdc-slam convert chess/seq-01 --output chess-01 --camera kinect.yaml)";
 
 constexpr const char* kRecordFooter = R"(
@@ -84,13 +98,18 @@ void add_record_command(Command program) {
 
 void add_convert_command(Command program) {
   auto options = std::make_shared<ConvertOptions>();
-  Command command = program.add_subcommand("convert", "Write an input as a folder in TUM RGB-D layout");
+  Command command = program.add_subcommand(
+      "convert", "Write an input as a folder in TUM RGB-D layout, or as an MCAP recording");
   command.add_option("INPUT", options->input.path, kInputHelp).required();
-  command.add_option("--output,-o", options->output, "Folder to be made").required();
+  command.add_option("--output,-o", options->output, "Folder to be made, or FILE.mcap").required();
+  command.add_option("--results", options->results.folder,
+                     "Output folder of run: its trajectory goes into the MCAP");
+  command.add_option("--map", options->results.map, "File of run --save-map: its landmarks");
+  command.add_option("--masks", options->results.masks, "Folder of run --save-masks");
   add_input_options(command, options->input);
   add_truth_option(command, options->input);
   add_frames_option(command, options->input);
-  command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
+  command.add_flag("--overwrite", options->overwrite, "Replace a sequence or file that is already there");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command.footer(kConvertFooter);
   command.callback([options] { convert(*options); });

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ros2/messages.hpp"
+#include "input/recordings/ros2_messages.hpp"
 #include "ros2/ros2_source.hpp"
 #include "slam/tracking_result.hpp"
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "core/text_file.hpp"
 
@@ -24,12 +25,12 @@ class Output {
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  std::uint8_t* place() { return bytes_.data() + used_; }
-  std::size_t room() {
+  /// Valid until the next call.
+  std::span<std::uint8_t> room() {
     if (used_ == bytes_.size()) {
       bytes_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(limit_ + 1, 4 * std::uint64_t{used_})));
     }
-    return bytes_.size() - used_;
+    return std::span(bytes_).subspan(used_);
   }
   void add(std::size_t count) { used_ += count; }
   std::size_t used() const { return used_; }
@@ -49,7 +50,8 @@ std::string unpack_zstd(Bytes packed, Output& out) {
   ZSTD_inBuffer in{packed.data(), packed.size(), 0};
   std::size_t left = 1;
   while (in.pos < in.size || left > 0) {
-    ZSTD_outBuffer part{out.place(), out.room(), 0};
+    const std::span<std::uint8_t> room = out.room();
+    ZSTD_outBuffer part{room.data(), room.size(), 0};
     const std::size_t before = in.pos;
     left = ZSTD_decompressStream(context.get(), &part, &in);
     out.add(part.pos);
@@ -67,8 +69,9 @@ std::string unpack_lz4(Bytes packed, Output& out) {
       made, LZ4F_freeDecompressionContext);
   std::size_t left = 1;
   while (!packed.empty() || left > 0) {
-    std::size_t written = out.room(), read = packed.size();
-    left = LZ4F_decompress(context.get(), out.place(), &written, packed.data(), &read, nullptr);
+    const std::span<std::uint8_t> room = out.room();
+    std::size_t written = room.size(), read = packed.size();
+    left = LZ4F_decompress(context.get(), room.data(), &written, packed.data(), &read, nullptr);
     if (LZ4F_isError(left) != 0) return "its lz4 data are damaged";
     out.add(written);
     packed = packed.subspan(read);
@@ -85,12 +88,12 @@ std::string unpack_bz2(Bytes packed, Output& out) {
   stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(packed.data()));  // bzlib only reads
   stream.avail_in = static_cast<unsigned>(packed.size());
   for (;;) {
-    const std::size_t room = out.room();
+    const std::span<std::uint8_t> room = out.room();
     const unsigned before = stream.avail_in;
-    stream.next_out = reinterpret_cast<char*>(out.place());
-    stream.avail_out = static_cast<unsigned>(room);
+    stream.next_out = reinterpret_cast<char*>(room.data());
+    stream.avail_out = static_cast<unsigned>(room.size());
     const int result = BZ2_bzDecompress(&stream);
-    const std::size_t written = room - stream.avail_out;
+    const std::size_t written = room.size() - stream.avail_out;
     out.add(written);
     if (result == BZ_STREAM_END || out.too_long()) return "";
     if (result != BZ_OK) return "its bz2 data are damaged";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 namespace stdc {
 
@@ -16,6 +17,8 @@ double seconds_of(std::int64_t nanoseconds) {
   std::from_chars(text.data(), text.data() + text.size(), seconds);
   return seconds;
 }
+
+std::int64_t stamp_of_seconds(double seconds) { return std::llround(1e6 * seconds) * 1000; }
 
 std::string stamp_text(std::int64_t nanoseconds) { return fmt::format("{:.6f}", seconds_of(nanoseconds)); }
 

@@ -8,12 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/camera.hpp"
 #include "core/pose.hpp"
 
 namespace stdc::ros2 {
 
-// The messages that the node sends, as CDR (little-endian XCDR1 with its encapsulation), written by Fast CDR.
-// Source: the definitions of nav_msgs, geometry_msgs, tf2_msgs, sensor_msgs and diagnostic_msgs.
+// Messages that are sent or recorded, as CDR (little-endian XCDR1 with its encapsulation), written by Fast
+// CDR. Source: the definitions of nav_msgs, geometry_msgs, tf2_msgs, sensor_msgs and diagnostic_msgs.
 
 using Message = std::vector<std::uint8_t>;
 
@@ -51,8 +52,20 @@ struct StampedPathPose {
 Message path_message(const Header& header, std::span<const StampedPathPose> poses);
 /// sensor_msgs/PointCloud2 with x, y, z as float32 [m].
 Message cloud_message(const Header& header, std::span<const Eigen::Vector3d> points);
-/// sensor_msgs/Image, mono8 of a CV_8UC1 image or bgr8 of a CV_8UC3 one.
+/// sensor_msgs/Image: mono8 of a CV_8UC1 image, bgr8 of CV_8UC3, 16UC1 and 32FC1 (depth: REP 118, millimetres
+/// and metres).
 Message image_message(const Header& header, const cv::Mat& image);
+/// sensor_msgs/CompressedImage.
+/// @param format  "jpeg" or "png"
+Message compressed_image_message(const Header& header, const std::string& format,
+                                 std::span<const std::uint8_t> file);
+/// sensor_msgs/CameraInfo.
+Message camera_info_message(const Header& header, const Camera& camera);
+/// sensor_msgs/Imu, without an attitude.
+Message imu_message(const Header& header, const Eigen::Vector3d& gyroscope,
+                    const Eigen::Vector3d& acceleration);
+/// geometry_msgs/PoseStamped.
+Message pose_message(const Header& header, const Pose& pose);
 
 struct DiagnosticStatus {
   enum class Level : std::uint8_t { ok, warning, error, stale };

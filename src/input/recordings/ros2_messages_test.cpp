@@ -1,4 +1,4 @@
-#include "ros2/messages.hpp"
+#include "input/recordings/ros2_messages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace stdc::ros2 {
 namespace {
 
-constexpr std::int64_t kStamp = 1'700'000'001'023'456'789;
+constexpr std::int64_t kSentStamp = 1'700'000'001'023'456'789;
 const Pose kPose(rotation_exp({0.1, -0.2, 0.3}), {1, 2, 3});
 
 // Read back by the readers of recordings, which other people's writers test. That the other DDS library's
@@ -18,13 +18,13 @@ const Pose kPose(rotation_exp({0.1, -0.2, 0.3}), {1, 2, 3});
 
 TEST(Messages, OdometryHasPoseVelocityAndCovariances) {
   Odometry odometry{
-      {kStamp, "odom"},        "base_link", kPose, Matrix6d::Identity(), Vector6d::Constant(0.5),
+      {kSentStamp, "odom"},        "base_link", kPose, Matrix6d::Identity(), Vector6d::Constant(0.5),
       2 * Matrix6d::Identity()};
   odometry.pose_covariance(0, 5) = 7;
   const Message bytes = odometry_message(odometry);
   const auto pose = read_pose_message("nav_msgs/Odometry", Serialisation::cdr, bytes);
   ASSERT_TRUE(pose.has_value());
-  EXPECT_EQ(pose->header.stamp, kStamp);
+  EXPECT_EQ(pose->header.stamp, kSentStamp);
   EXPECT_EQ(pose->header.frame, "odom");
   EXPECT_EQ(pose->child, "base_link");
   EXPECT_EQ(pose->pose.translation, kPose.translation);
@@ -39,8 +39,8 @@ TEST(Messages, OdometryHasPoseVelocityAndCovariances) {
 }
 
 TEST(Messages, TransformsNameParentAndChild) {
-  const std::vector<Transform> transforms{{{kStamp, "map"}, "odom", Pose()},
-                                          {{kStamp, "odom"}, "base", kPose}};
+  const std::vector<Transform> transforms{{{kSentStamp, "map"}, "odom", Pose()},
+                                          {{kSentStamp, "odom"}, "base", kPose}};
   const auto read = read_transforms_message(Serialisation::cdr, transforms_message(transforms));
   ASSERT_TRUE(read.has_value());
   ASSERT_EQ(read->size(), 2U);
@@ -53,7 +53,7 @@ TEST(Messages, ImagesKeepTheirPixelsAlsoIfRowsAreApart) {
   cv::Mat large(4, 8, CV_8UC3);
   for (int i = 0; i < 96; ++i) large.data[i] = static_cast<std::uint8_t>(i);
   const cv::Mat part = large(cv::Rect(2, 1, 3, 2));
-  const Message bytes = image_message({kStamp, "camera"}, part);
+  const Message bytes = image_message({kSentStamp, "camera"}, part);
   const auto read = read_image_message(Serialisation::cdr, bytes);
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->encoding, "bgr8");
@@ -65,7 +65,7 @@ TEST(Messages, ImagesKeepTheirPixelsAlsoIfRowsAreApart) {
 
 TEST(Messages, CloudsHoldFloats) {
   const std::vector<Eigen::Vector3d> points{{1, 2, 3}, {4, 5, 6.5}};
-  const Message bytes = cloud_message({kStamp, "map"}, points);
+  const Message bytes = cloud_message({kSentStamp, "map"}, points);
   MessageReader reader(Serialisation::cdr, bytes);
   for (int i = 0; i < 2; ++i) reader.u32();
   EXPECT_EQ(reader.text(), "map");
@@ -96,7 +96,7 @@ TEST(Messages, DiagnosticsOfAnyLengthAreComplete) {
     status = {
         DiagnosticStatus::Level::error, "stdc_slam: camera", std::string(2000, 'x'), {{"key", "value"}}};
   }
-  const Message bytes = diagnostics_message(kStamp, statuses);
+  const Message bytes = diagnostics_message(kSentStamp, statuses);
   MessageReader reader(Serialisation::cdr, bytes);
   for (int i = 0; i < 2; ++i) reader.u32();
   reader.text();
@@ -114,8 +114,8 @@ TEST(Messages, DiagnosticsOfAnyLengthAreComplete) {
 }
 
 TEST(Messages, PathsGrow) {
-  const std::vector<StampedPathPose> poses(500, {kStamp, kPose});
-  const Message bytes = path_message({kStamp, "map"}, poses);
+  const std::vector<StampedPathPose> poses(500, {kSentStamp, kPose});
+  const Message bytes = path_message({kSentStamp, "map"}, poses);
   MessageReader reader(Serialisation::cdr, bytes);
   for (int i = 0; i < 2; ++i) reader.u32();
   reader.text();
