@@ -47,6 +47,8 @@ class Line {
     }
     return all;
   }
+  /// As a page that is closed; whoever waits for bytes gets none.
+  void hang_up() const { ::shutdown(socket_, SHUT_RDWR); }
   /// Whether the other side has ended it, all that was on the way aside.
   bool ended() const {
     std::array<char, 65536> buffer{};

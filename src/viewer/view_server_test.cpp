@@ -42,7 +42,10 @@ class TestPage {
       }
     });
   }
-  ~TestPage() { thread_.join(); }
+  ~TestPage() {
+    line_.hang_up();
+    thread_.join();
+  }
   TestPage(const TestPage&) = delete;
   TestPage& operator=(const TestPage&) = delete;
   void send(const std::string& request) const { line_.send(test::frame(request)); }
@@ -99,7 +102,7 @@ TEST(ViewServer, ResultsAreTheSameWithPagesAndWithout) {
     for (int i = 0; i < kFrames; ++i) {
       const RgbdImage& image = sequence.frames[static_cast<std::size_t>(i)].image;
       view->show(&image, slam.track(image), slam);
-      if (i == 10) pages.pop_back();  // closed in the middle of it: its line ends when the view does
+      if (i == 10) pages.pop_back();  // closed in the middle of it
     }
     view->finish(slam, slam.finish());
     for (const auto& page : pages) {
