@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace stdc {
 namespace {
@@ -32,7 +33,7 @@ const Search& search_of(CalibrationParameter parameter) {
 
 CalibrationValues moved(CalibrationValues values, const Parameters& wanted, const Eigen::VectorXd& by) {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    double& value = values[static_cast<std::size_t>(wanted[i])];
+    double& value = value_of(values, wanted[i]);
     value += by[static_cast<Eigen::Index>(i)];
     if (wanted[i] == CalibrationParameter::readout_time) value = std::max(value, 0.0);
   }
@@ -64,13 +65,20 @@ std::vector<Eigen::VectorXd> sample_places(Eigen::Index n) {
   return places;
 }
 
-std::optional<Quadratic> fit_quadratic(const CalibrationProblem& problem, const CalibrationValues& values,
-                                       const Parameters& wanted, const Eigen::VectorXd& steps) {
-  const auto n = static_cast<Eigen::Index>(wanted.size());
-  const std::vector<Eigen::VectorXd> places = sample_places(n);
+/// By sample_places().
+std::vector<CalibrationValues> sample_values(const CalibrationValues& values, const Parameters& wanted,
+                                             const Eigen::VectorXd& steps) {
+  std::vector<CalibrationValues> samples;
+  for (const Eigen::VectorXd& place : sample_places(steps.size()))
+    samples.push_back(moved(values, wanted, place.cwiseProduct(steps)));
+  return samples;
+}
+
+std::optional<Quadratic> fit_quadratic(const CalibrationProblem& problem,
+                                       std::span<const CalibrationValues> samples, Eigen::Index n) {
   std::vector<double> costs;
-  for (const Eigen::VectorXd& place : places) {
-    const auto cost = problem.cost(moved(values, wanted, place.cwiseProduct(steps)));
+  for (const CalibrationValues& values : samples) {
+    const auto cost = problem.cost(values);
     if (!cost) return std::nullopt;
     costs.push_back(*cost);
   }
@@ -87,7 +95,7 @@ std::optional<Quadratic> fit_quadratic(const CalibrationProblem& problem, const 
     }
   }
   const auto lowest = std::min_element(costs.begin(), costs.end()) - costs.begin();
-  fit.lowest = places[static_cast<std::size_t>(lowest)];
+  fit.lowest = sample_places(n)[static_cast<std::size_t>(lowest)];
   constexpr double kFlat = 0.02;  // of the cost over a step: less than that is noise
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(fit.hessian);
   fit.is_convex = eigen.info() == Eigen::Success && eigen.eigenvalues().minCoeff() > kFlat;
@@ -110,39 +118,23 @@ Eigen::VectorXd step_to_minimum(const Quadratic& fit) {
   return largest > kMaxSteps ? Eigen::VectorXd(kMaxSteps / largest * step) : step;
 }
 
-/// Only depths that all samples have may count: their costs are compared.
-void choose_common_depths(CalibrationProblem& problem, const CalibrationValues& values,
-                          const Parameters& wanted, const Eigen::VectorXd& steps) {
-  std::vector<std::uint8_t> common = problem.depths_at(values);
-  const auto n = static_cast<Eigen::Index>(wanted.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (const double side : {-1.0, 1.0}) {
-      const auto there =
-          problem.depths_at(moved(values, wanted, side * steps[i] * Eigen::VectorXd::Unit(n, i)));
-      for (std::size_t k = 0; k < common.size(); ++k) common[k] = common[k] != 0 && there[k] != 0 ? 1 : 0;
-    }
-  }
-  problem.choose_depths(std::move(common));
-}
-
 /// Depth may be late by several frames: the lowest of samples over a quarter of
 /// a second is where to start.
-double scan_time_offset(CalibrationProblem& problem, CalibrationValues values) {
-  constexpr double kReach = 0.12, kStep = 0.02;  // [s]
-  const double middle = values[0];
-  std::vector<std::uint8_t> common = problem.depths_at(values);
-  for (double by = -kReach; by < kReach + 0.5 * kStep; by += kStep) {
-    values[0] = middle + by;
-    const auto there = problem.depths_at(values);
-    for (std::size_t k = 0; k < common.size(); ++k) common[k] = common[k] != 0 && there[k] != 0 ? 1 : 0;
+double scan_time_offset(CalibrationProblem& problem, const CalibrationValues& values) {
+  using enum CalibrationParameter;
+  constexpr int kSide = 6;
+  constexpr double kStep = 0.02;  // [s]
+  std::vector<CalibrationValues> samples;
+  for (int k = -kSide; k <= kSide; ++k) {
+    samples.push_back(values);
+    value_of(samples.back(), depth_time_offset) += k * kStep;
   }
-  problem.choose_depths(std::move(common));
-  double best = middle;
+  problem.choose_common_depths(samples);
+  double best = value_of(values, depth_time_offset);
   std::optional<double> lowest;
-  for (double by = -kReach; by < kReach + 0.5 * kStep; by += kStep) {
-    values[0] = middle + by;
-    const auto cost = problem.cost(values);
-    if (cost && (!lowest || *cost < *lowest)) lowest = cost, best = values[0];
+  for (const CalibrationValues& sample : samples) {
+    const auto cost = problem.cost(sample);
+    if (cost && (!lowest || *cost < *lowest)) lowest = cost, best = value_of(sample, depth_time_offset);
   }
   return best;
 }
@@ -163,11 +155,10 @@ class Calibrator {
   void search() {
     constexpr int kMaxRounds = 10;
     if (std::find(wanted_.begin(), wanted_.end(), CalibrationParameter::depth_time_offset) != wanted_.end()) {
-      values_[0] = scan_time_offset(problem_, values_);
+      value_of(values_, CalibrationParameter::depth_time_offset) = scan_time_offset(problem_, values_);
     }
     for (int round = 0; round < kMaxRounds; ++round) {
-      choose_common_depths(problem_, values_, wanted_, steps_);
-      problem_.settle(values_);
+      settle();
       const auto found = fit();
       if (!found) return;
       const Eigen::VectorXd step = step_to_minimum(*found);
@@ -179,8 +170,7 @@ class Calibrator {
   /// By parameter; infinite where nothing is seen.
   Eigen::VectorXd sigmas() {
     const auto n = static_cast<Eigen::Index>(wanted_.size());
-    choose_common_depths(problem_, values_, wanted_, steps_);
-    problem_.settle(values_);
+    settle();
     const auto found = fit();
     Eigen::VectorXd sigma = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
     if (!found || !found->is_convex) return sigma;
@@ -192,9 +182,17 @@ class Calibrator {
   const CalibrationProblem& problem() const { return problem_; }
 
  private:
+  /// Takes samples around the values; only depths that all of them have may count, since their costs are
+  /// compared.
+  void settle() {
+    samples_ = sample_values(values_, wanted_, steps_);
+    problem_.choose_common_depths(samples_);
+    problem_.settle(values_);
+  }
+
   std::optional<Quadratic> fit() {
     if (on_fit_) on_fit_(++fits_);
-    return fit_quadratic(problem_, values_, wanted_, steps_);
+    return fit_quadratic(problem_, samples_, steps_.size());
   }
 
   /// Makes steps of about three standard deviations: there the cost differs
@@ -242,13 +240,10 @@ class Calibrator {
   CalibrationValues values_;
   Parameters wanted_;
   Eigen::VectorXd steps_;
+  std::vector<CalibrationValues> samples_;
   std::function<void(int)> on_fit_;
   int fits_ = 0;
 };
-
-}  // namespace
-
-namespace {
 
 Calibration estimate(const CalibrationScene& scene, const CalibrationValues& given, const Parameters& wanted,
                      const std::function<void(int)>& on_fit) {
@@ -261,11 +256,11 @@ Calibration estimate(const CalibrationScene& scene, const CalibrationValues& giv
   calibrator.search();
   const Eigen::VectorXd sigmas = calibrator.sigmas();
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const auto k = static_cast<std::size_t>(wanted[i]);
-    CalibratedValue value{wanted[i], given[k], calibrator.values()[k], sigmas[static_cast<Eigen::Index>(i)]};
+    CalibratedValue value{wanted[i], value_of(given, wanted[i]), value_of(calibrator.values(), wanted[i]),
+                          sigmas[static_cast<Eigen::Index>(i)]};
     value.seen = value.sigma <= search_of(wanted[i]).max_sigma;
     if (value.seen) {
-      result.values[k] = value.value;
+      value_of(result.values, wanted[i]) = value.value;
     } else {
       value.value = value.given;
     }

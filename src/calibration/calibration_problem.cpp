@@ -14,10 +14,6 @@ namespace {
 constexpr BundleSettings kExact{
     .robust_iterations = 30, .final_iterations = 0, .min_relative_decrease = 1e-7};
 
-double value_of(const CalibrationValues& values, CalibrationParameter parameter) {
-  return values[static_cast<std::size_t>(parameter)];
-}
-
 /// 1.4826 times the median of the magnitudes: the sigma of a normal distribution with some outliers.
 double robust_sigma(std::vector<double> residuals) {
   if (residuals.empty()) return 0;
@@ -25,6 +21,34 @@ double robust_sigma(std::vector<double> residuals) {
   const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
   std::nth_element(residuals.begin(), middle, residuals.end());
   return 1.4826 * *middle;
+}
+
+/// A depth image that was taken elsewhere than the colour image.
+struct DisplacedDepth {
+  const Camera& camera;
+  const cv::Mat& depth;
+  const Pose& step;  ///< camera at the time of the depth image from camera at that of the colour image
+};
+
+/// How far from the colour camera the surface is that it sees at a pixel (`raw` as it is stored, `ideal`
+/// without the lens's distortion) [m]; 0: not known.
+float depth_behind(const DisplacedDepth& displaced, Eigen::Vector2d raw, Eigen::Vector2f ideal) {
+  const Camera& camera = displaced.camera;
+  // Where the point is seen in the depth image depends on its depth; two rounds are exact to a tenth of a
+  // pixel.
+  double z = 0;
+  for (int round = 0; round < 3; ++round) {
+    const double measured = plane_depth_at(displaced.depth, camera.depth_units_per_metre, raw);
+    if (measured <= 0) return 0;
+    const double assumed = round == 0 ? measured : z;
+    const Eigen::Vector3d here = camera.unproject(ideal.cast<double>(), assumed),
+                          there = displaced.step * here;
+    if (!(there.z() > 0)) return 0;
+    z = measured - (there.z() - here.z());
+    const Eigen::Vector2d seen = camera.project(there);
+    raw = camera.has_distortion() ? camera.distort(seen) : seen;
+  }
+  return static_cast<float>(std::max(z, 0.0));
 }
 
 }  // namespace
@@ -94,41 +118,50 @@ void CalibrationProblem::estimate_noise(const BundleProblem& solved, const Camer
     noise_.inverse_depth_sigma = std::clamp(robust_sigma(std::move(depths)), kMinDepth, kMaxDepth);
 }
 
-float CalibrationProblem::depth_of(std::size_t i, const Camera& camera, const CalibrationValues& values,
-                                   Eigen::Vector2f ideal) const {
-  const BundleObservation& observation = problem_.observations[i];
-  const CalibrationView& view = scene_.views[static_cast<std::size_t>(observation.pose)];
-  const double delay = view.depth_delay + value_of(values, CalibrationParameter::depth_time_offset);
-  const auto step = camera_step(scene_.trajectory, view.timestamp, delay);
-  if (!step) return 0;
-  // Where the point is seen in the depth image depends on its depth; two rounds are exact to a tenth of a
-  // pixel.
-  Eigen::Vector2d raw = scene_.raw[source_[i]];
-  double z = 0;
-  for (int round = 0; round < 3; ++round) {
-    const double measured = plane_depth_at(view.depth, camera.depth_units_per_metre, raw);
-    if (measured <= 0) return 0;
-    const double assumed = round == 0 ? measured : z;
-    const Eigen::Vector3d here = camera.unproject(ideal.cast<double>(), assumed), there = *step * here;
-    if (!(there.z() > 0)) return 0;
-    z = measured - (there.z() - here.z());
-    const Eigen::Vector2d seen = camera.project(there);
-    raw = camera.has_distortion() ? camera.distort(seen) : seen;
+Eigen::Vector2f CalibrationProblem::ideal_pixel(std::size_t i, const Camera& camera) const {
+  const Eigen::Vector2d& raw = scene_.raw[source_[i]];
+  return (camera.has_distortion() ? camera.undistort(raw) : raw).cast<float>();
+}
+
+std::vector<float> CalibrationProblem::depths_at(const CalibrationValues& values) const {
+  const Camera camera = calibrated_camera(scene_.camera, values);
+  std::vector<std::optional<Pose>> steps;
+  for (const CalibrationView& view : scene_.views) {
+    const double delay = view.depth_delay + value_of(values, CalibrationParameter::depth_time_offset);
+    steps.push_back(camera_step(scene_.trajectory, view.timestamp, delay));
   }
-  return static_cast<float>(std::max(z, 0.0));
+  std::vector<float> depths(source_.size(), 0.0f);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const auto view = static_cast<std::size_t>(problem_.observations[i].pose);
+    if (!steps[view]) continue;
+    depths[i] = depth_behind({camera, scene_.views[view].depth, *steps[view]}, scene_.raw[source_[i]],
+                             ideal_pixel(i, camera));
+  }
+  return depths;
+}
+
+void CalibrationProblem::choose_common_depths(std::span<const CalibrationValues> compared) {
+  depths_.clear();
+  chosen_depths_.assign(source_.size(), 1);
+  for (const CalibrationValues& values : compared) {
+    const std::vector<float>& there = depths_.try_emplace(values, depths_at(values)).first->second;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      if (there[i] <= 0) chosen_depths_[i] = 0;
+    }
+  }
 }
 
 void CalibrationProblem::measure(const CalibrationValues& values, BundleProblem& problem) const {
   const Camera camera = calibrated_camera(scene_.camera, values);
+  const auto kept = depths_.find(values);
+  const std::vector<float> depths = kept != depths_.end() ? kept->second : depths_at(values);
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     BundleObservation& o = problem.observations[i];
-    const Eigen::Vector2d& raw = scene_.raw[source_[i]];
-    const Eigen::Vector2f ideal = (camera.has_distortion() ? camera.undistort(raw) : raw).cast<float>();
     const CameraMotion motion(camera, scene_.views[static_cast<std::size_t>(o.pose)].twist);
-    const float depth = chosen_depths_[i] != 0 ? depth_of(i, camera, values, ideal) : 0;
     const Eigen::Vector3d point = problem.cam_from_world[static_cast<std::size_t>(o.pose)] *
                                   problem.points[static_cast<std::size_t>(o.point)];
-    const Measurement m = stdc::measure(camera, motion, ideal, static_cast<float>(point.z()), depth, o.scale);
+    const Measurement m = stdc::measure(camera, motion, ideal_pixel(i, camera), static_cast<float>(point.z()),
+                                        chosen_depths_[i] != 0 ? depths[i] : 0, o.scale);
     o.pixel = m.pixel;
     o.depth = m.depth;
   }
@@ -145,17 +178,6 @@ BundleProblem CalibrationProblem::posed(const CalibrationValues& values) const {
     });
   }
   return problem;
-}
-
-std::vector<std::uint8_t> CalibrationProblem::depths_at(const CalibrationValues& values) const {
-  const Camera camera = calibrated_camera(scene_.camera, values);
-  std::vector<std::uint8_t> valid(source_.size());
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    const Eigen::Vector2d& raw = scene_.raw[source_[i]];
-    const Eigen::Vector2f ideal = (camera.has_distortion() ? camera.undistort(raw) : raw).cast<float>();
-    valid[i] = depth_of(i, camera, values, ideal) > 0 ? 1 : 0;
-  }
-  return valid;
 }
 
 int CalibrationProblem::depths() const {

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "calibration/calibration_scene.hpp"
@@ -17,6 +19,13 @@ inline constexpr int kCalibrationParameters = 5;
 /// By CalibrationParameter: [s], [s], factor of fx and fy, [px], [px].
 using CalibrationValues = std::array<double, kCalibrationParameters>;
 
+inline double& value_of(CalibrationValues& values, CalibrationParameter parameter) {
+  return values[static_cast<std::size_t>(parameter)];
+}
+inline double value_of(const CalibrationValues& values, CalibrationParameter parameter) {
+  return values[static_cast<std::size_t>(parameter)];
+}
+
 /// The values of a camera, as they are given.
 CalibrationValues calibration_values(const Camera& camera, double depth_time_offset);
 /// The camera with these values. `given`: whose focal lengths the factor multiplies.
@@ -30,10 +39,9 @@ class CalibrationProblem {
   /// Keeps what is an inlier of a bundle adjustment at `values`, with noise as large as the residuals say.
   CalibrationProblem(const CalibrationScene& scene, const CalibrationValues& values);
 
-  /// Which observations have a depth at `values`.
-  std::vector<std::uint8_t> depths_at(const CalibrationValues& values) const;
-  /// Only these depths count from now on (and with them, no others).
-  void choose_depths(std::vector<std::uint8_t> chosen) { chosen_depths_ = std::move(chosen); }
+  /// From now on only those depths count that there are at each of these values; keeps them, so that the cost
+  /// at such values is had sooner.
+  void choose_common_depths(std::span<const CalibrationValues> compared);
   /// A part of the observations: those of every so many points, or of a stretch of views in order of time.
   struct Part {
     int group = 0, groups = 0;  ///< groups 0: nothing
@@ -48,14 +56,14 @@ class CalibrationProblem {
   void settle(const CalibrationValues& values);
 
   int observations() const { return static_cast<int>(problem_.observations.size()); }
-  int depths() const;
+  int depths() const;  ///< that count
   const NoiseSettings& noise() const { return noise_; }
 
  private:
   BundleProblem posed(const CalibrationValues& values) const;
   void measure(const CalibrationValues& values, BundleProblem& problem) const;
-  float depth_of(std::size_t i, const Camera& camera, const CalibrationValues& values,
-                 Eigen::Vector2f ideal) const;
+  Eigen::Vector2f ideal_pixel(std::size_t i, const Camera& camera) const;
+  std::vector<float> depths_at(const CalibrationValues& values) const;
   void keep_inliers(const BundleProblem& solved, const std::vector<std::uint8_t>& inlier);
   void estimate_noise(const BundleProblem& solved, const Camera& camera);
 
@@ -63,6 +71,7 @@ class CalibrationProblem {
   BundleProblem problem_;            ///< at the values settled last
   std::vector<std::size_t> source_;  ///< per observation: index into the scene's
   std::vector<std::uint8_t> chosen_depths_;
+  std::map<CalibrationValues, std::vector<float>> depths_;  ///< at the values compared: depth, 0: none [m]
   Part left_out_;
   NoiseSettings noise_;
 };

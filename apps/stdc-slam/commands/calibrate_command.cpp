@@ -62,7 +62,7 @@ Calibration fit(const CalibrationScene& scene, const CalibrationValues& start,
 
 RgbdCameras calibrated(RgbdCameras cameras, const CalibrationValues& values) {
   cameras.colour = calibrated_camera(cameras.colour, values);
-  cameras.depth_time_offset = values[static_cast<std::size_t>(CalibrationParameter::depth_time_offset)];
+  cameras.depth_time_offset = value_of(values, CalibrationParameter::depth_time_offset);
   return cameras;
 }
 
@@ -110,8 +110,8 @@ CalibrationRecord calibrate_input(const CalibrateOptions& options) {
                              calibrated(record.given, values));
   scene = record_scene(second, options, "refining", record.frames);
   CalibrationValues start = values;
-  start[static_cast<std::size_t>(CalibrationParameter::focal_length)] = 1;  // of the second camera
-  const double focal_length = values[static_cast<std::size_t>(CalibrationParameter::focal_length)];
+  value_of(start, CalibrationParameter::focal_length) = 1;  // of the second camera
+  const double focal_length = value_of(values, CalibrationParameter::focal_length);
   record.calibration = fit(scene, start, wanted, options.quiet);
   const CalibrationValues given = calibration_values(record.given.colour, record.given.depth_time_offset);
   for (CalibratedValue& estimate : record.calibration.estimates) {

@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "input/depth_units.hpp"
 #include "input/layouts/tum_writer.hpp"
-#include "run/frame_loader.hpp"
 #include "run/inpainted_folder.hpp"
 #include "run/progress.hpp"
 #include "run/track_frames.hpp"
@@ -50,13 +49,11 @@ std::string format_imu(const std::vector<ImuSample>& samples) {
 
 }  // namespace
 
-ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, bool overwrite, bool quiet,
-                            const InterruptWatch& interrupts) {
-  TumWriter writer(target(input, folder, overwrite));
+ConvertReport convert_frames(const SequenceInput& input, bool quiet, const InterruptWatch& interrupts,
+                             const std::function<void(const LoadedFrame&, ConvertReport&)>& write) {
   FrameLoader loader(input, ColourMode::as_stored);
   Progress progress("converting", "frames", input.expected_frame_count(), quiet);
   ConvertReport report;
-  std::string imu;
   while (const auto frame = next_frame(input, loader, interrupts)) {
     if (frame->error) {
       if (frame->index == 0) throw *frame->error;  // then the camera or the whole input is wrong
@@ -65,11 +62,7 @@ ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, 
                                    input.first_frame() + frame->index));
       continue;
     }
-    write_colour(*frame, writer);
-    writer.write_image(
-        "depth", frame->depth_timestamp,
-        depth_in_units(frame->image->depth, input.camera.depth_units_per_metre, report.too_far));
-    imu += format_imu(frame->imu);
+    write(*frame, report);
     report.imu_readings += static_cast<int>(frame->imu.size());
     progress.update(++report.frames);
     if (!input.source().is_live() && interrupts.interrupted())
@@ -79,6 +72,21 @@ ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, 
   for (const std::string& fault : input.source().faults()) progress.message("stdc-slam: " + fault);
   if (report.frames == 0)
     throw Error(input.source().where(), "holds no frame", "stdc-slam info shows what is in it");
+  return report;
+}
+
+ConvertReport convert_input(const SequenceInput& input, const fs::path& folder, bool overwrite, bool quiet,
+                            const InterruptWatch& interrupts) {
+  TumWriter writer(target(input, folder, overwrite));
+  std::string imu;
+  const auto write = [&](const LoadedFrame& frame, ConvertReport& report) {
+    write_colour(frame, writer);
+    writer.write_image(
+        "depth", frame.depth_timestamp,
+        depth_in_units(frame.image->depth, input.camera.depth_units_per_metre, report.too_far));
+    imu += format_imu(frame.imu);
+  };
+  const ConvertReport report = convert_frames(input, quiet, interrupts, write);
   writer.write_camera(input.camera);
   write_truth(input, writer);
   if (!imu.empty()) writer.write_text("imu.txt", "# timestamp wx wy wz ax ay az\n" + imu);

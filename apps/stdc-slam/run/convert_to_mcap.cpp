@@ -1,7 +1,5 @@
 #include "run/convert_to_mcap.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,9 +12,6 @@
 #include "input/recordings/message_definitions.hpp"
 #include "input/recordings/ros2_messages.hpp"
 #include "input/recordings/stamp.hpp"
-#include "run/frame_loader.hpp"
-#include "run/progress.hpp"
-#include "run/track_frames.hpp"
 #include "segmentation/mask_list.hpp"
 
 namespace stdc::app {
@@ -175,28 +170,11 @@ ConvertReport convert_to_mcap(const SequenceInput& input, const fs::path& path, 
   check_mcap_place(input, path, overwrite);
   ResultMessages result_messages(results);
   McapTopics topics(path);
-  FrameLoader loader(input, ColourMode::as_stored);
-  Progress progress("converting", "frames", input.expected_frame_count(), quiet);
-  ConvertReport report;
-  while (const auto frame = next_frame(input, loader, interrupts)) {
-    if (frame->error) {
-      if (frame->index == 0) throw *frame->error;  // then the camera or the whole input is wrong
-      ++report.unreadable;
-      progress.message(fmt::format("stdc-slam: {}; frame {} is left out", frame->error->what(),
-                                   input.first_frame() + frame->index));
-      continue;
-    }
-    write_frame(*frame, input.camera, topics);
-    result_messages.write(frame->timestamp, topics);
-    report.imu_readings += static_cast<int>(frame->imu.size());
-    progress.update(++report.frames);
-    if (!input.source().is_live() && interrupts.interrupted())
-      throw Error("interrupted", "nothing was written", "start again, perhaps with --frames");
-  }
-  progress.finish();
-  for (const std::string& fault : input.source().faults()) progress.message("stdc-slam: " + fault);
-  if (report.frames == 0)
-    throw Error(input.source().where(), "holds no frame", "stdc-slam info shows what is in it");
+  const ConvertReport report =
+      convert_frames(input, quiet, interrupts, [&](const LoadedFrame& frame, ConvertReport&) {
+        write_frame(frame, input.camera, topics);
+        result_messages.write(frame.timestamp, topics);
+      });
   write_true_poses(input, topics);
   topics.commit();
   return report;
