@@ -1,11 +1,11 @@
 #include "calibration/calibrate.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <optional>
+
+#include "calibration/quadratic_fit.hpp"
 
 namespace stdc {
 namespace {
@@ -40,82 +40,13 @@ CalibrationValues moved(CalibrationValues values, const Parameters& wanted, cons
   return values;
 }
 
-/// A quadratic around some values: cost(u) = cost + gradient u + u hessian u /
-/// 2, u in steps.
-struct Quadratic {
-  double cost = 0;
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd hessian;
-  bool is_convex = false;
-  Eigen::VectorXd lowest;  ///< of the samples, in steps
-};
-
-/// The samples of a fit: the middle, each parameter a step to both sides, and
-/// each pair together.
-std::vector<Eigen::VectorXd> sample_places(Eigen::Index n) {
-  std::vector<Eigen::VectorXd> places{Eigen::VectorXd::Zero(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    places.emplace_back(Eigen::VectorXd::Unit(n, i));
-    places.emplace_back(-Eigen::VectorXd::Unit(n, i));
-  }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = i + 1; j < n; ++j)
-      places.emplace_back(Eigen::VectorXd::Unit(n, i) + Eigen::VectorXd::Unit(n, j));
-  }
-  return places;
-}
-
-/// By sample_places().
+/// By quadratic_samples().
 std::vector<CalibrationValues> sample_values(const CalibrationValues& values, const Parameters& wanted,
                                              const Eigen::VectorXd& steps) {
   std::vector<CalibrationValues> samples;
-  for (const Eigen::VectorXd& place : sample_places(steps.size()))
+  for (const Eigen::VectorXd& place : quadratic_samples(steps.size()))
     samples.push_back(moved(values, wanted, place.cwiseProduct(steps)));
   return samples;
-}
-
-std::optional<Quadratic> fit_quadratic(const CalibrationProblem& problem,
-                                       std::span<const CalibrationValues> samples, Eigen::Index n) {
-  std::vector<double> costs;
-  for (const CalibrationValues& values : samples) {
-    const auto cost = problem.cost(values);
-    if (!cost) return std::nullopt;
-    costs.push_back(*cost);
-  }
-  Quadratic fit{
-      .cost = costs[0], .gradient = Eigen::VectorXd(n), .hessian = Eigen::MatrixXd(n, n), .lowest = {}};
-  const auto plus = [&](Eigen::Index i) { return costs[static_cast<std::size_t>(1 + 2 * i)]; };
-  const auto minus = [&](Eigen::Index i) { return costs[static_cast<std::size_t>(2 + 2 * i)]; };
-  auto pair = static_cast<std::size_t>(1 + 2 * n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    fit.gradient[i] = 0.5 * (plus(i) - minus(i));
-    fit.hessian(i, i) = plus(i) + minus(i) - 2 * costs[0];
-    for (Eigen::Index j = i + 1; j < n; ++j) {
-      fit.hessian(i, j) = fit.hessian(j, i) = costs[pair++] - plus(i) - plus(j) + costs[0];
-    }
-  }
-  const auto lowest = std::min_element(costs.begin(), costs.end()) - costs.begin();
-  fit.lowest = sample_places(n)[static_cast<std::size_t>(lowest)];
-  constexpr double kFlat = 0.02;  // of the cost over a step: less than that is noise
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(fit.hessian);
-  fit.is_convex = eigen.info() == Eigen::Success && eigen.eigenvalues().minCoeff() > kFlat;
-  return fit;
-}
-
-/// Where the quadratic has its minimum, in steps; not farther than what the
-/// samples can vouch for.
-Eigen::VectorXd step_to_minimum(const Quadratic& fit) {
-  constexpr double kMaxSteps = 2;
-  Eigen::VectorXd step = -fit.hessian.ldlt().solve(fit.gradient);
-  if (!fit.is_convex) {
-    // Each for itself, and no farther than the samples.
-    for (Eigen::Index i = 0; i < step.size(); ++i) {
-      const double curvature = fit.hessian(i, i);
-      step[i] = curvature > 0 ? std::clamp(-fit.gradient[i] / curvature, -1.0, 1.0) : fit.lowest[i];
-    }
-  }
-  const double largest = step.cwiseAbs().maxCoeff();
-  return largest > kMaxSteps ? Eigen::VectorXd(kMaxSteps / largest * step) : step;
 }
 
 /// Depth may be late by several frames: the lowest of samples over a quarter of
@@ -192,7 +123,13 @@ class Calibrator {
 
   std::optional<Quadratic> fit() {
     if (on_fit_) on_fit_(++fits_);
-    return fit_quadratic(problem_, samples_, steps_.size());
+    std::vector<double> costs;
+    for (const CalibrationValues& values : samples_) {
+      const auto cost = problem_.cost(values);
+      if (!cost) return std::nullopt;
+      costs.push_back(*cost);
+    }
+    return fit_quadratic(costs, steps_.size());
   }
 
   /// Makes steps of about three standard deviations: there the cost differs
