@@ -15,7 +15,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   add_compile_options(-U__ARM_FEATURE_FMA)
 endif()
 if(STDC_SANITIZE)
-  target_compile_options(stdc_options INTERFACE -fsanitize=${STDC_SANITIZE} -fno-omit-frame-pointer -g
+  target_compile_options(stdc_options INTERFACE -fsanitize=${STDC_SANITIZE} -fno-omit-frame-pointer -g1
     -fno-sanitize-recover=all)
   target_link_options(stdc_options INTERFACE -fsanitize=${STDC_SANITIZE})
 endif()
