@@ -105,7 +105,7 @@ class Calibrator {
     const auto found = fit();
     Eigen::VectorXd sigma = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
     if (!found || !found->is_convex) return sigma;
-    sigma = found->hessian.inverse().diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(steps_);
+    sigma = deviations(*found).cwiseProduct(steps_);
     return sigma.cwiseMax(jackknife(false)).cwiseMax(jackknife(true));
   }
 
@@ -137,8 +137,7 @@ class Calibrator {
   bool adapt_steps(const Quadratic& fit) {
     constexpr double kSigmas = 3, kAlike = 1.5;
     if (!fit.is_convex) return false;
-    const Eigen::VectorXd sigmas =
-        fit.hessian.inverse().diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(steps_);
+    const Eigen::VectorXd sigmas = deviations(fit).cwiseProduct(steps_);
     bool settled = true;
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       const Search& search = search_of(wanted_[i]);

@@ -1,7 +1,6 @@
 #include "calibration/quadratic_fit.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace stdc {
@@ -35,8 +34,9 @@ Quadratic fit_quadratic(std::span<const double> costs, Eigen::Index n) {
   const auto lowest = std::min_element(costs.begin(), costs.end()) - costs.begin();
   fit.lowest = quadratic_samples(n)[static_cast<std::size_t>(lowest)];
   constexpr double kFlat = 0.02;  // of the cost over a step: less than that is noise
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(fit.hessian);
-  fit.is_convex = eigen.info() == Eigen::Success && eigen.eigenvalues().minCoeff() > kFlat;
+  // All eigenvalues are above kFlat if what is left without it is positive definite.
+  const Eigen::LLT<Eigen::MatrixXd> factors(fit.hessian - kFlat * Eigen::MatrixXd::Identity(n, n));
+  fit.is_convex = fit.hessian.allFinite() && factors.info() == Eigen::Success;
   return fit;
 }
 
@@ -52,6 +52,12 @@ Eigen::VectorXd step_to_minimum(const Quadratic& fit) {
   }
   const double largest = step.cwiseAbs().maxCoeff();
   return largest > kMaxSteps ? Eigen::VectorXd(kMaxSteps / largest * step) : step;
+}
+
+Eigen::VectorXd deviations(const Quadratic& fit) {
+  const Eigen::Index n = fit.hessian.rows();
+  const Eigen::MatrixXd covariance = fit.hessian.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  return covariance.diagonal().cwiseMax(0).cwiseSqrt();
 }
 
 }  // namespace stdc

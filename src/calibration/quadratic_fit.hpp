@@ -28,4 +28,8 @@ Quadratic fit_quadratic(std::span<const double> costs, Eigen::Index n);
 /// and if it is not convex, one step for each parameter by itself.
 Eigen::VectorXd step_to_minimum(const Quadratic& fit);
 
+/// How far from the minimum each parameter may be, in steps: the standard deviation, if the cost is half of a
+/// sum of normalised squares. The quadratic must be convex.
+Eigen::VectorXd deviations(const Quadratic& fit);
+
 }  // namespace stdc

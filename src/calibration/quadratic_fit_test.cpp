@@ -23,6 +23,7 @@ TEST(QuadraticFit, FindsTheCoefficientsAndTheMinimum) {
   EXPECT_TRUE(fit.is_convex);
   EXPECT_TRUE(step_to_minimum(fit).isApprox(minimum, 1e-9));
   EXPECT_TRUE(fit.lowest.isApprox(Eigen::Vector3d(0, -1, 0)));
+  EXPECT_TRUE(deviations(fit).isApprox(hessian.inverse().diagonal().cwiseSqrt(), 1e-9));
 }
 
 TEST(QuadraticFit, GoesNoFartherThanTwoSteps) {

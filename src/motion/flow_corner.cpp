@@ -56,7 +56,8 @@ bool find_corner(const SmallFrame& frame, const cv::Rect& square, FlowCorner& co
     }
   }
   if (best <= kMinContrast) return false;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(tensor);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(tensor);
   const Eigen::Vector2d values = (solver.eigenvalues() / kSharp).cwiseMin(1);
   corner.certainty = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
   return true;
