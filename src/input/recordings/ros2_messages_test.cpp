@@ -41,7 +41,8 @@ TEST(Messages, OdometryHasPoseVelocityAndCovariances) {
 TEST(Messages, TransformsNameParentAndChild) {
   const std::vector<Transform> transforms{{{kSentStamp, "map"}, "odom", Pose()},
                                           {{kSentStamp, "odom"}, "base", kPose}};
-  const auto read = read_transforms_message(Serialisation::cdr, transforms_message(transforms));
+  const Message bytes = transforms_message(transforms);
+  const auto read = read_transforms_message(Serialisation::cdr, bytes);
   ASSERT_TRUE(read.has_value());
   ASSERT_EQ(read->size(), 2U);
   EXPECT_EQ(read->back().header.frame, "odom");
