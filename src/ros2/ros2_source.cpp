@@ -16,10 +16,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kRestart = 1'000'000'000;  // [ns] back in time: the publisher began anew
 constexpr std::size_t kMaxWaiting = 60;           // images without a partner
 constexpr std::size_t kMaxWaitingBytes = std::size_t{96} << 20U;
-/// Frames that wait: the newest three of a live camera; what a publisher sends ahead where none may be lost.
-constexpr std::size_t kLiveFrames = 3, kFramesAhead = 8;
+/// Frames that wait where none may be lost: what the publisher sends ahead.
+constexpr std::size_t kFramesAhead = 8;
 /// The same until tracking begins: the cameras are looked for by the first frames.
 constexpr std::size_t kFirstFrames = 15;
+
+std::size_t frames_that_wait(const Ros2SourceOptions& options) {
+  const auto wanted = static_cast<std::size_t>(std::max(options.max_waiting, 1));
+  return options.reception == Reception::every_frame ? std::max(wanted, kFramesAhead) : wanted;
+}
 
 std::unique_ptr<StampPairing> make_pairing(const Ros2SourceOptions& options) {
   const auto tolerance = static_cast<std::int64_t>(1e9 * options.max_difference);
@@ -39,7 +44,7 @@ Delivery image_delivery(Reception reception) {
 Ros2Source::Ros2Source(Node& node, const Ros2SourceOptions& options)
     : node_(node),
       options_(options),
-      queue_(options.reception == Reception::every_frame ? kFramesAhead : kLiveFrames, kFirstFrames),
+      queue_(frames_that_wait(options), std::max(frames_that_wait(options), kFirstFrames)),
       search_(topics_by_stream(options.topics)),
       pairing_(make_pairing(options)) {
   const auto topic = [&](const std::string& name) {

@@ -30,6 +30,7 @@ struct Ros2SourceOptions {
   Reception reception = Reception::best_effort;
   double max_difference = 0.02;  ///< between the stamps of colour and depth [s]
   bool camera_is_known = false;  ///< from elsewhere: no camera info is waited for
+  int max_waiting = 3;           ///< frames that may wait for who works on them; `every_frame` has more
 };
 
 /// What came so far.

@@ -197,7 +197,9 @@ int play(const std::vector<std::string>& words) {
   Camera camera(participant, words, images);
   Listener listener(participant);
   camera.send_static();
-  if (!wait_until([&] { return camera.connected() && listener.connected(); }, kPatience)) {
+  // A recorder publishes nothing: it has all once it stops listening.
+  const bool to_recorder = has(words, "--to-recorder");
+  if (!wait_until([&] { return camera.connected() && (to_recorder || listener.connected()); }, kPatience)) {
     fmt::print(stderr, "ros2_peer: nobody listens\n");
     return 1;
   }
@@ -214,9 +216,11 @@ int play(const std::vector<std::string>& words) {
   const double patience = std::stod(value_of(words, "--patience", fmt::format("{}", kPatience)));
   // The last frame may wait for a depth image that is nearer.
   const int awaited = std::stoi(value_of(words, "--await", "0"));
-  const bool all = wait_until(
-      [&] { return awaited > 0 ? listener.odometry_count() >= awaited : listener.last_stamp() >= last; },
-      patience);
+  const auto arrived = [&] {
+    if (to_recorder) return !camera.connected();
+    return awaited > 0 ? listener.odometry_count() >= awaited : listener.last_stamp() >= last;
+  };
+  const bool all = wait_until(arrived, patience);
   // Diagnostics and what comes once a second.
   std::this_thread::sleep_for(std::chrono::duration<double>(std::stod(value_of(words, "--linger", "0"))));
   report(listener, sent, seconds);

@@ -6,8 +6,10 @@
 
 #include "commands/commands.hpp"
 #include "commands/input_options.hpp"
+#include "commands/ros2_camera_arguments.hpp"
 #include "core/error.hpp"
 #include "run/convert_to_mcap.hpp"
+#include "run/record_ros2.hpp"
 
 namespace stdc::app {
 namespace {
@@ -21,21 +23,15 @@ struct ConvertOptions {
   bool to_mcap() const { return output.extension() == ".mcap"; }
 };
 
-void convert(const ConvertOptions& options) {
-  const InterruptWatch interrupts;
+void convert(const ConvertOptions& options, const SequenceInput& input, const InterruptWatch& interrupts) {
   cv::setNumThreads(1);  // as in `run`
-  if (!options.to_mcap() && (options.results.folder || options.results.map || options.results.masks)) {
-    throw Error(options.output.string(), "has no place for results of a run",
-                "write an .mcap: --output FILE.mcap");
-  }
-  const SequenceInput input(options.input);
   const ConvertReport report =
       options.to_mcap() ? convert_to_mcap(input, options.output, options.overwrite, options.results,
                                           options.quiet, interrupts)
                         : convert_input(input, options.output, options.overwrite, options.quiet, interrupts);
   if (report.too_far > 0) {
     fmt::print(stderr, "stdc-slam: {}: {} depths of more than {:.1f} m are written as missing\n",
-               options.input.path.string(), report.too_far, 65535 / input.camera.depth_units_per_metre);
+               input.source().where(), report.too_far, 65535 / input.camera.depth_units_per_metre);
   }
   if (options.quiet) return;
   fmt::print("{} frames{}{}{}: {}\n", report.frames,
@@ -61,39 +57,72 @@ Examples:
   stdc-slam convert chess/seq-01 --output chess-01 --camera kinect.yaml)";
 
 constexpr const char* kRecordFooter = R"(
-Records until Ctrl-C, then the folder appears, in the layout of the TUM RGB-D benchmark: see convert. Frames that came too
-late to be written are left out, and their number is told. OpenNI knows no intrinsics: --camera gives them.
+Records until Ctrl-C; then the folder appears, in the layout of the TUM RGB-D benchmark, or the MCAP recording: see
+convert. Depth of another camera is registered to colour. Frames that came too late to be written are left out, and their
+number is told. OpenNI knows no intrinsics: --camera gives them. ros2: joins the ROS 2 system of ROS_DOMAIN_ID as a node
+would, and takes the camera from its camera_info.
 
 Examples:
   stdc-slam record openni2: --camera kinect.yaml --output office
-  stdc-slam record openni2: --camera kinect.yaml --output office --frames :900)";
+  stdc-slam record openni2: --camera kinect.yaml --output office --frames :900
+  stdc-slam record ros2: --color /camera/color/image_raw --depth /camera/aligned_depth_to_color/image_raw -o office.mcap)";
 
-void record(ConvertOptions options) {
+struct RecordOptions : ConvertOptions {
+  Ros2CameraOptions ros2;
+};
+
+/// Topics are of ROS 2 alone.
+void check_no_ros2_option(const Ros2CameraOptions& given, const std::string& source) {
+  const Ros2CameraOptions none;
+  const std::pair<const char*, bool> options[] = {
+      {"--color", !given.colour.empty()},
+      {"--depth", !given.depth.empty()},
+      {"--info", !given.colour_info.empty()},
+      {"--depth-info", !given.depth_info.empty()},
+      {"--reception", given.reception != none.reception},
+      {"--max-difference", given.max_difference != none.max_difference}};
+  for (const auto& [name, is_given] : options) {
+    if (is_given) throw Error(name, fmt::format("{} has no topics", source), "leave it out, or record ros2:");
+  }
+}
+
+void record(RecordOptions& options) {
   constexpr int kFramesThatWait = 60;  // while the disk is busy: 90 MB
-  options.input.source.max_waiting = kFramesThatWait;
-  convert(options);
+  options.input.source.max_waiting = options.ros2.max_waiting = kFramesThatWait;
+  const InterruptWatch interrupts;
+  if (options.input.path == "ros2:") {
+    if (options.ros2.colour.empty() || options.ros2.depth.empty()) {
+      throw Error("--color, --depth", "the topics of the images are missing",
+                  "`ros2 topic list` shows what there is");
+    }
+    with_ros2_camera(options.ros2, options.input, interrupts,
+                     [&](const SequenceInput& input) { convert(options, input, interrupts); });
+    return;
+  }
+  check_no_ros2_option(options.ros2, options.input.path.string());
+  const SourceKind* kind = recognise_source(options.input.path);
+  if (kind == nullptr || !kind->is_live) {
+    throw Error(options.input.path.string(), "is no live camera",
+                "give openni2: or ros2:, or use convert for a recording");
+  }
+  convert(options, SequenceInput(options.input), interrupts);
 }
 
 }  // namespace
 
 void add_record_command(Command program) {
-  auto options = std::make_shared<ConvertOptions>();
-  Command command = program.add_subcommand("record", "Record a live camera as a folder in TUM RGB-D layout");
-  command.add_option("SOURCE", options->input.path, "Live camera: openni2: or openni2:URI").required();
-  command.add_option("--output,-o", options->output, "Folder to be made").required();
+  auto options = std::make_shared<RecordOptions>();
+  Command command = program.add_subcommand(
+      "record", "Record a live camera as a folder in TUM RGB-D layout, or as an MCAP recording");
+  command.add_option("SOURCE", options->input.path, "Live camera: openni2:, openni2:URI or ros2:").required();
+  command.add_option("--output,-o", options->output, "Folder to be made, or FILE.mcap").required();
   command.add_option("--camera", options->input.camera, "Camera file");
+  add_ros2_camera_arguments(command, options->ros2, false);
   add_frames_option(command, options->input);
-  command.add_flag("--overwrite", options->overwrite, "Replace a sequence that is already there");
+  command.add_flag("--overwrite", options->overwrite, "Replace a sequence or file that is already there");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command.footer(kRecordFooter);
-  command.callback([options] {
-    const SourceKind* kind = recognise_source(options->input.path);
-    if (kind == nullptr || !kind->is_live) {
-      throw Error(options->input.path.string(), "is no live camera",
-                  "give openni2:, or use convert for a recording");
-    }
-    record(*options);
-  });
+  command.callback([options] { record(*options); });
 }
 
 void add_convert_command(Command program) {
@@ -112,7 +141,14 @@ void add_convert_command(Command program) {
   command.add_flag("--overwrite", options->overwrite, "Replace a sequence or file that is already there");
   command.add_flag("--quiet,-q", options->quiet, "Print only what goes wrong");
   command.footer(kConvertFooter);
-  command.callback([options] { convert(*options); });
+  command.callback([options] {
+    if (!options->to_mcap() && (options->results.folder || options->results.map || options->results.masks)) {
+      throw Error(options->output.string(), "has no place for results of a run",
+                  "write an .mcap: --output FILE.mcap");
+    }
+    const InterruptWatch interrupts;
+    convert(*options, SequenceInput(options->input), interrupts);
+  });
 }
 
 }  // namespace stdc::app

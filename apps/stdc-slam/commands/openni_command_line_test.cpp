@@ -111,6 +111,10 @@ TEST_F(OpenNiCommandLine, SaysWhatIsMissing) {
   const Outcome inpaint = with_camera("$SLAM run openni2: --camera c.yaml --output o --inpaint i");
   EXPECT_EQ(inpaint.code, 2);
   EXPECT_TRUE(contains(inpaint.err, "stdc-slam record")) << inpaint.err;
+  const Outcome topics =
+      with_camera("$SLAM record openni2: --camera c.yaml --color /camera/color --output r");
+  EXPECT_EQ(topics.code, 2);
+  EXPECT_TRUE(contains(topics.err, "openni2: has no topics")) << topics.err;
   const Outcome folder = with_camera("$SLAM record s --output r");
   EXPECT_EQ(folder.code, 2);
   EXPECT_TRUE(contains(folder.err, "is no live camera")) << folder.err;

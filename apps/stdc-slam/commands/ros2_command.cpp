@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "commands/commands.hpp"
+#include "commands/ros2_camera_arguments.hpp"
 #include "commands/view_options.hpp"
 #include "run/run_ros2.hpp"
 
@@ -39,34 +40,6 @@ Examples:
   stdc-slam ros2 --color ... --depth ... --reception every-frame --output results     (beside ros2 bag play)
   ros2 topic pub --once /stdc_slam/save_map std_msgs/msg/Empty)";
 
-void add_topics(Command command, Ros2Options& options) {
-  command.add_option("--color", options.topics.colour, "Topic of the colour images")
-      .type_name("TOPIC")
-      .required();
-  command.add_option("--depth", options.topics.depth, "Topic of the depth images")
-      .type_name("TOPIC")
-      .required();
-  command
-      .add_option("--info", options.topics.colour_info,
-                  "Topic of the colour camera's calibration; default: camera_info beside the images")
-      .type_name("TOPIC");
-  command.add_option("--depth-info", options.topics.depth_info, "The same of the depth camera")
-      .type_name("TOPIC");
-  command.add_option("--camera", options.camera, "Camera file; goes before what camera_info says");
-  command
-      .add_option(
-          "--reception", options.reception,
-          "How images are received: best-effort (ROS 2's sensor data), reliable (lost ones are sent again), "
-          "every-frame (reliable, and a publisher that keeps all waits for us)")
-      .one_of({"best-effort", "reliable", "every-frame"})
-      .capture_default_str();
-  command
-      .add_option("--max-difference", options.max_difference, "Most between the stamps of colour and depth")
-      .type_name("SECONDS")
-      .in_range(0.0, 1.0)
-      .capture_default_str();
-}
-
 void add_names(Command command, Ros2Options& options) {
   command.add_option("--base-frame", options.names.base, "Frame of the robot's base").capture_default_str();
   command.add_option("--odom-frame", options.names.odom, "Frame of odometry").capture_default_str();
@@ -80,7 +53,8 @@ void add_names(Command command, Ros2Options& options) {
 void add_ros2_command(Command program) {
   auto options = std::make_shared<Ros2Options>();
   Command command = program.add_subcommand("ros2", "Be part of a robot that speaks ROS 2");
-  add_topics(command, *options);
+  add_ros2_camera_arguments(command, options->images, true);
+  command.add_option("--camera", options->camera, "Camera file; goes before what camera_info says");
   add_names(command, *options);
   add_settings_options(command, options->settings);
   add_motion_option(command, options->settings);

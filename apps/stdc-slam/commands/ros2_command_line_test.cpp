@@ -202,6 +202,33 @@ TEST_F(Ros2CommandLine, SurvivesWhatNoCameraSends) {
   EXPECT_FALSE(contains(diagnostics, "damaged messages=0;")) << diagnostics;
 }
 
+TEST_F(Ros2CommandLine, RecordsWhatItReceives) {
+  make_sequence(21);
+  ASSERT_EQ(call("run s --output o --frames :20 --segmentation off --motion off --quiet").code, 0);
+  const Outcome outcome = script(
+      "record() { $SLAM record ros2: --color /camera/color/image_raw "
+      "--depth /camera/aligned_depth_to_color/image_raw --camera s/camera.yaml --reception every-frame "
+      "--frames :20 --output $1 & $PEER play s --lossless --to-recorder || exit 9; wait $!; }\n"
+      "record r && record r.mcap");
+  ASSERT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "20 frames: r.mcap")) << outcome.out;
+  for (const char* recorded : {"r", "r.mcap"}) {
+    ASSERT_EQ(call(fmt::format(
+                       "run {} --camera s/camera.yaml --output {}.o --segmentation off --motion off --quiet",
+                       recorded, recorded))
+                  .code,
+              0);
+    EXPECT_EQ(content(folder_ / fmt::format("{}.o/trajectory.txt", recorded)),
+              content(folder_ / "o/trajectory.txt"))
+        << recorded;
+  }
+}
+
+TEST_F(Ros2CommandLine, RefusesToRecordWithoutTopics) {
+  expect_refusal("record ros2: --output r", "topics of the images are missing");
+  expect_refusal("record ros2: --color image --depth /depth --output r", "is no name of a topic");
+}
+
 TEST_F(Ros2CommandLine, RefusesWhatMakesNoSense) {
   expect_refusal("ros2 --color image --depth /depth", "is no name of a topic");
   expect_refusal(fmt::format("{} --save-map nowhere/m.map", kTopics), "nowhere/m.map");

@@ -52,7 +52,8 @@ std::string format_imu(const std::vector<ImuSample>& samples) {
 ConvertReport convert_frames(const SequenceInput& input, bool quiet, const InterruptWatch& interrupts,
                              const std::function<void(const LoadedFrame&, ConvertReport&)>& write) {
   FrameLoader loader(input, ColourMode::as_stored);
-  Progress progress("converting", "frames", input.expected_frame_count(), quiet);
+  Progress progress(input.source().is_live() ? "recording" : "converting", "frames",
+                    input.expected_frame_count(), quiet);
   ConvertReport report;
   while (const auto frame = next_frame(input, loader, interrupts)) {
     if (frame->error) {

@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "core/error.hpp"
-#include "input/recordings/topic_names.hpp"
 #include "run/frame_loader.hpp"
 #include "run/interrupt_watch.hpp"
 #include "run/live_view.hpp"
 #include "run/progress.hpp"
+#include "run/ros2_camera.hpp"
 #include "run/ros2_session.hpp"
 #include "run/run_checks.hpp"
 #include "run/sequence_input.hpp"
@@ -23,27 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kTick(50);
-
-ros2::Reception reception_of(const std::string& name) {
-  if (name == "best-effort") return ros2::Reception::best_effort;
-  if (name == "reliable") return ros2::Reception::reliable;
-  return ros2::Reception::every_frame;
-}
-
-ros2::Ros2SourceOptions source_options(const Ros2Options& options) {
-  ros2::Ros2SourceOptions source;
-  source.topics = options.topics;
-  if (source.topics.colour_info.empty()) {
-    source.topics.colour_info = camera_of_topic(options.topics.colour) + "/camera_info";
-  }
-  if (source.topics.depth_info.empty()) {
-    source.topics.depth_info = camera_of_topic(options.topics.depth) + "/camera_info";
-  }
-  source.reception = reception_of(options.reception);
-  source.max_difference = options.max_difference;
-  source.camera_is_known = options.camera.has_value();
-  return source;
-}
 
 Settings ros2_settings(const Ros2Options& options) {
   Settings settings = chosen_settings(options.settings, options.segmentation);
@@ -58,51 +37,6 @@ Settings ros2_settings(const Ros2Options& options) {
   }
   settings.validate();
   return settings;
-}
-
-/// Tells on the terminal, once, what keeps images from coming; and once a second whoever reads diagnostics.
-class Waiting {
- public:
-  Waiting(const ros2::Node& node, const ros2::Ros2Source& source, ros2::SlamPublisher& publisher)
-      : node_(node), source_(source), publisher_(publisher) {}
-
-  void attend() {
-    constexpr std::chrono::seconds kInterval(1), kGrace(2);
-    if (Clock::now() < next_report_) return;
-    next_report_ = Clock::now() + kInterval;
-    const std::array statuses{Ros2Status::camera_status(source_, 0)};
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    publisher_.publish_diagnostics(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(),
-                                   statuses);
-    if (statuses[0].message == said_ || Clock::now() < start_ + kGrace) return;
-    said_ = statuses[0].message;
-    fmt::print(stderr, "stdc-slam: waiting: {}{}\n", said_, image_topics());
-  }
-
- private:
-  std::string image_topics() const {
-    std::string names;
-    for (const ros2::PublishedTopic& topic : node_.published()) {
-      if (topic.type != "sensor_msgs/msg/Image") continue;
-      names += (names.empty() ? "" : ", ") + topic.name;
-    }
-    return fmt::format("; there is {}", names.empty() ? "no topic with images" : names);
-  }
-
-  const ros2::Node& node_;
-  const ros2::Ros2Source& source_;
-  ros2::SlamPublisher& publisher_;
-  Clock::time_point start_ = Clock::now(), next_report_ = start_;
-  std::string said_;
-};
-
-/// @returns false if the program was interrupted
-bool wait_for_cameras(ros2::Ros2Source& source, Waiting waiting, const InterruptWatch& interrupts) {
-  while (!source.wait_for_cameras(kTick)) {
-    if (interrupts.take()) return false;
-    waiting.attend();
-  }
-  return true;
 }
 
 /// /tf_static comes soon after the images, if it comes.
@@ -158,17 +92,19 @@ bool run_ros2(const Ros2Options& options) {
   ros2::Node node(ros2::options_from_environment());
   ros2::SlamPublisher publisher(node, options.names);
   ros2::Requests requests(node, options.names.prefix);
-  auto owned = std::make_unique<ros2::Ros2Source>(node, source_options(options));
+  auto owned = open_ros2_source(node, options.images, options.camera.has_value());
   ros2::Ros2Source& source = *owned;
-  if (!wait_for_cameras(source, {node, source, publisher}, interrupts)) {
-    fmt::print(stderr, "stdc-slam: interrupted before images came; there is nothing to write\n");
-    return true;
-  }
+  const auto publish = [&publisher](const ros2::DiagnosticStatus& status) {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    publisher.publish_diagnostics(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(),
+                                  std::array{status});
+  };
+  if (!wait_for_cameras(node, source, interrupts, publish)) return true;
   InputOptions input_options;
   input_options.camera = options.camera;
   input_options.frames = options.frames;
   SequenceInput input(input_options, std::move(owned));
-  input.name = options.topics.colour;
+  input.name = options.images.colour;
   const auto make_segmenter = [&] {
     return chosen_segmenter(options.segmentation, settings, "", input.camera.rotation);
   };
