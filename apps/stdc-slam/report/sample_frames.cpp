@@ -134,10 +134,14 @@ std::optional<DepthLook> SampleFrames::depth() const {
   if (pixels_ == 0) return std::nullopt;
   DepthLook look;
   std::vector<double> depths = depths_;
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  const auto quantile = [&](double share) {
+    const auto at = depths.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(depths.size()));
+    std::nth_element(depths.begin(), at, depths.end());
+    return *at;
+  };
   if (!depths.empty()) {
-    std::nth_element(depths.begin(), middle, depths.end());
-    look.median = *middle;
+    look.median = quantile(0.5);
+    look.far = quantile(0.95);
   }
   look.valid_share = static_cast<double>(depths_.size()) / static_cast<double>(pixels_);
   look.saturated_share = static_cast<double>(saturated_) / static_cast<double>(pixels_);

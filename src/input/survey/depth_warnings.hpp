@@ -8,7 +8,7 @@ namespace stdc {
 
 /// What the depth images of some frames are like.
 struct DepthLook {
-  double median = 0;           ///< of all depths, in units or metres; 0: there are none
+  double median = 0, far = 0;  ///< median and 95 % of all depths, in units or metres; 0: there are none
   double valid_share = 0;      ///< of the pixels that have depth
   double saturated_share = 0;  ///< of the pixels that are 65535
 };

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/random.hpp"
+#include "input/survey/depth_warnings.hpp"
 
 namespace stdc {
 namespace {
@@ -152,6 +153,16 @@ TEST(InputSurvey, SeesWrongUnitsAndCameras) {
       << joined(warnings);
   EXPECT_TRUE(any_with(warnings, "25 % of the image off its middle")) << joined(warnings);
   EXPECT_TRUE(any_with(warnings, "the camera says frames_per_second 15")) << joined(warnings);
+}
+
+TEST(InputSurvey, SeesDepthsBeyondTheReachOfCameras) {
+  // A room of 1.5 m in fifths of a millimetre, taken for millimetres.
+  const auto look = [](double median, double far) { return depth_warnings({median, far, 0.9, 0}, 1000); };
+  const auto warnings = look(7300, 19000);
+  EXPECT_TRUE(any_with(warnings, "is depth_units_per_metre 1000 where the device writes"))
+      << joined(warnings);
+  EXPECT_TRUE(look(7300, 12000).empty()) << "a hall";
+  EXPECT_TRUE(look(2000, 19000).empty()) << "a door stands open";
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ void warn_of_depth(const InputSurvey& survey, Lines& lines) {
   if (images.sampled == 0) return;
   std::optional<double> units;
   if (survey.cameras && !images.depth_in_metres) units = survey.cameras->colour.depth_units_per_metre;
-  const Lines found =
-      depth_warnings({images.median_depth, images.valid_share, images.saturated_share}, units);
+  const Lines found = depth_warnings(
+      {images.median_depth, images.far_depth, images.valid_share, images.saturated_share}, units);
   lines.insert(lines.end(), found.begin(), found.end());
 }
 
