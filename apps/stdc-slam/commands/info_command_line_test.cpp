@@ -61,6 +61,19 @@ TEST_F(InfoCommandLine, WarnsOfACameraOfAnotherSizeAndOfNone) {
       << unknown.out;
 }
 
+TEST_F(InfoCommandLine, PairsFramesByTheDelayThatTheCameraFileTells) {
+  make_sequence();  // depth images are stamped 3 ms later than colour
+  folder_.write("s/camera.yaml", content(folder_ / "s/camera.yaml") + "depth_time_offset: 0.032\n");
+  const Outcome outcome = call("info s");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  // So each colour image takes the depth image before its own, which was taken 1.7 ms later; the first has
+  // none.
+  EXPECT_TRUE(contains(outcome.out, "depth time   +1.7 ms from colour")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "; with the camera's depth_time_offset of +32.0 ms")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "frames       11 in ")) << outcome.out;
+  EXPECT_EQ(nlohmann::json::parse(call("info s --json").out)["camera"]["depth_time_offset"], 0.032);
+}
+
 TEST_F(InfoCommandLine, RefusesWhatIsNoInput) {
   folder_.write("a.xyz", std::string("?"));
   expect_refusal("info a.xyz", "a.xyz: is no recording of a kind that can be read");
