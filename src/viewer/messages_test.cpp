@@ -46,6 +46,8 @@ TEST(FrameRecord, SaysWhatTheResultSays) {
   EXPECT_EQ(number_at<std::uint16_t>(bytes, 42), 2U);
   EXPECT_EQ(number_at<float>(bytes, 44), -1.0F);  // world_from_cam
   EXPECT_EQ(number_at<float>(bytes, 68), 1.0F);   // w
+  EXPECT_EQ(number_at<std::uint32_t>(bytes, 72), 1U);
+  EXPECT_EQ(number_at<std::uint32_t>(bytes, 76), 0U);
 }
 
 TEST(ImageMessage, HoldsWhatIsWanted) {

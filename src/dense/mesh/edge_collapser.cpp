@@ -28,6 +28,7 @@ EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const MeshSimplification&
     : simplification_(simplification),
       mesh_(mesh),
       quadrics_(mesh.positions.size()),
+      facings_(mesh.positions.size(), Eigen::Vector3f::Zero()),
       border_errors_(mesh.positions.size(), 0),
       changes_(mesh.positions.size(), 0) {
   if (simplification.tolerance > 0) {
@@ -54,7 +55,10 @@ void EdgeCollapser::add_planes(const TriangleMesh& mesh) {
     edges += std::sqrt(length);
     if (!(length > 0)) continue;
     const Quadric plane = Quadric::of_plane(cross / length, mesh_.position(a), length / 2);
-    for (const Index vertex : mesh.triangles[f]) quadrics_[vertex] += plane;
+    for (const Index vertex : mesh.triangles[f]) {
+      quadrics_[vertex] += plane;
+      facings_[vertex] += cross.cast<float>();
+    }
     add_border_planes(f);
   }
   // A strong edge in colour, 64 of 255, counts as an edge of a triangle's depth.
@@ -147,6 +151,7 @@ bool EdgeCollapser::try_collapse(const Collapse& collapse) {
       border_errors_[other] = std::max(border_errors_[other], *border);
   }
   quadrics_[collapse.kept] += quadrics_[collapse.gone];
+  facings_[collapse.kept] += facings_[collapse.gone];
   if (!colours_.empty()) colours_[collapse.kept] = colour;
   mesh_.collapse(collapse.kept, collapse.gone, collapse.place);
   return true;
@@ -166,8 +171,10 @@ std::optional<double> EdgeCollapser::border_error(const Collapse& collapse) cons
   return error;
 }
 
+/// Neither in this step, nor little by little in many.
 bool EdgeCollapser::turns_none_over(const std::vector<Index>& staying, const Collapse& collapse) const {
   constexpr double kMinCosine = 0.3, kMinShape = 0.02;
+  const Eigen::Vector3f facing = facings_[collapse.kept] + facings_[collapse.gone];
   for (const Index f : staying) {
     std::array<Vertex, 3> before, after;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -177,6 +184,10 @@ bool EdgeCollapser::turns_none_over(const std::vector<Index>& staying, const Col
     }
     const Vertex old_normal = (before[1] - before[0]).cross(before[2] - before[0]),
                  new_normal = (after[1] - after[0]).cross(after[2] - after[0]);
+    for (const Index vertex : mesh_.face(f)) {
+      const bool moves = vertex == collapse.kept || vertex == collapse.gone;
+      if (!(new_normal.cast<float>().dot(moves ? facing : facings_[vertex]) > 0)) return false;
+    }
     if (new_normal.dot(old_normal) <= kMinCosine * new_normal.norm() * old_normal.norm()) return false;
     const double shape = shape_of(after[0], after[1], after[2]);
     if (shape < kMinShape && shape < shape_of(before[0], before[1], before[2])) return false;

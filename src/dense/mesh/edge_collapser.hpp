@@ -54,6 +54,8 @@ class EdgeCollapser {
   CollapsibleMesh mesh_;
   std::optional<CoveredPoints> points_;  ///< with a tolerance
   std::vector<Quadric> quadrics_;
+  /// Twice the sum of the areas that each vertex stands for, as vectors: where the surface looked there.
+  std::vector<Eigen::Vector3f> facings_;
   std::vector<Eigen::Vector3f> colours_;
   std::vector<double> border_errors_;  ///< how far the border beside a vertex may be from where it was [m]
   std::vector<std::uint32_t> changes_;
