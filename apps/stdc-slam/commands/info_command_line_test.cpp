@@ -77,6 +77,16 @@ TEST_F(InfoCommandLine, PairsFramesByTheDelayThatTheCameraFileTells) {
 TEST_F(InfoCommandLine, RefusesWhatIsNoInput) {
   folder_.write("a.xyz", std::string("?"));
   expect_refusal("info a.xyz", "a.xyz: is no recording of a kind that can be read");
+  folder_.write("a.R3D", std::string("PK"));
+  expect_refusal("info a.R3D", "a.R3D: is a recording of Record3D, whose depth is packed by LZFSE");
+  folder_.write("unzipped/rgbd/0.depth", std::string("bvx2"));
+  folder_.write("unzipped/metadata", std::string("{}"));
+  expect_refusal("info unzipped", "unzipped: is a recording of Record3D");
+  folder_.write("rgb.mp4", std::string("ftyp"));
+  expect_refusal("info rgb.mp4", "rgb.mp4: is a video, which is not decoded here");
+  folder_.write("phone/video.MOV", std::string("ftyp"));
+  folder_.write("phone/depth/000000.png", std::string("?"));
+  expect_refusal("info phone", "phone/video.MOV: is a video, which is not decoded here; unpack it");
   expect_refusal("info none", "none: there is no such folder");
   make_sequence(1);
   expect_refusal("info s --input-kind elephant",

@@ -150,7 +150,6 @@ double turned_over(const TriangleMesh& mesh) {
                                                    : Eigen::Vector3f(centre - Eigen::Vector3f(0, 0, 1.5F));
     area += normal.dot(free) > 0 ? 0 : normal.norm() / 2;
   }
-  std::printf("turned %g\n", area);
   return area;
 }
 
