@@ -6,8 +6,8 @@
 
 #include "dense/mesh/collapsible_mesh.hpp"
 #include "dense/mesh/covered_points.hpp"
+#include "dense/mesh/mesh_simplification.hpp"
 #include "dense/mesh/quadric.hpp"
-#include "dense/mesh/simplify_mesh.hpp"
 
 namespace stdc {
 
