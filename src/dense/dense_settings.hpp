@@ -23,6 +23,12 @@ struct DenseSettings {
   STDC_SETTING(int, min_weight, 3, "count", 1, 60000,
                "Weight that a voxel needs, at most 63 of a view, at 1 m; at 3 m a ninth of that");
   STDC_SETTING(double, min_component, 0.01, "m^2", 0, 100, "Smaller pieces of surface are left out");
+  STDC_SETTING(double, mesh_tolerance, 0, "m", 0, 1,
+               "A mesh is written with fewer triangles, no farther from the whole one than this; 0: whole");
+  STDC_SETTING(double, mesh_colour_tolerance, 24, "of 255", 0, 255,
+               "...and colours that differ by no more than this in any channel");
+  STDC_SETTING(int, mesh_triangles, 0, "count", 0, 100000000,
+               "A mesh is written with at most so many triangles, as far as possible; 0: no limit");
   STDC_SETTING(double, cell, 0.05, "m", 0.005, 10, "Side of a cell of the octree and of the plan");
   STDC_SETTING(double, min_obstacle_height, 0.1, "m", 0.01, 10,
                "What is higher above the floor than this, and...");

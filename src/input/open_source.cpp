@@ -66,8 +66,54 @@ const SourceKind& kind_named(const std::string& name) {
   return *kind;
 }
 
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+bool is_video(const fs::path& path) {
+  constexpr std::array kEndings{".mp4", ".mkv", ".mov", ".avi", ".webm"};
+  std::error_code ignored;
+  return std::find(kEndings.begin(), kEndings.end(), ending_of(path)) != kEndings.end() &&
+         fs::is_regular_file(path, ignored);
+}
+
+/// The path itself or, of a folder that also has depth images, what is in it.
+std::optional<fs::path> video_at(const fs::path& path) {
+  if (is_video(path)) return path;
+  std::error_code ignored;
+  if (!fs::is_directory(path / "depth", ignored)) return std::nullopt;
+  for (fs::directory_iterator entry(path, ignored), end; entry != end; entry.increment(ignored)) {
+    if (is_video(entry->path())) return entry->path();
+    if (ignored) break;
+  }
+  return std::nullopt;
+}
+
+/// What is known and cannot be read gets an answer of its own.
+void refuse_known(const fs::path& path) {
+  std::error_code ignored;
+  if ((ending_of(path) == ".r3d" && fs::is_regular_file(path, ignored)) ||
+      fs::exists(path / "rgbd" / "0.depth", ignored)) {
+    throw Error(
+        path.string(),
+        "is a recording of Record3D, whose depth is packed by LZFSE, which cannot be read here",
+        "export it in the app as 'EXR + JPG', name the folders color and depth, and put a camera.yaml "
+        "beside them (docs/inputs.md)");
+  }
+  if (const auto video = video_at(path)) {
+    throw Error(video->string(), "is a video, which is not decoded here",
+                fmt::format("unpack it beside the depth images: mkdir color && ffmpeg -i {} -vsync 0 "
+                            "-start_number 0 color/%06d.jpg (docs/inputs.md)",
+                            video->filename().string()));
+  }
+}
+
 const SourceKind& kind_of(const fs::path& path) {
   if (const SourceKind* kind = recognise_source(path)) return *kind;
+  refuse_known(path);
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored)) {
     throw Error(

@@ -9,11 +9,19 @@ namespace stdc {
 
 cv::Mat draw_squares(const std::vector<std::uint8_t>& squares, int scale, const Camera& camera) {
   cv::Mat mask(camera.height, camera.width, CV_8UC1, cv::Scalar(0));
-  const int columns = camera.width / scale;
+  const auto columns = static_cast<std::size_t>(camera.width / scale);
   for (std::size_t i = 0; i < squares.size(); ++i) {
     if (squares[i] == 0) continue;
-    const int x = static_cast<int>(i) % columns, y = static_cast<int>(i) / columns;
-    mask(cv::Rect(x * scale, y * scale, scale, scale)).setTo(255);
+    // The first row of pixels of each row of squares, which is then repeated: there may be thousands of
+    // squares.
+    std::fill_n(mask.ptr<std::uint8_t>(static_cast<int>(i / columns) * scale) +
+                    i % columns * static_cast<std::size_t>(scale),
+                scale, std::uint8_t{255});
+  }
+  for (std::size_t row = 0; row < squares.size() / columns; ++row) {
+    const auto* first = mask.ptr<std::uint8_t>(static_cast<int>(row) * scale);
+    for (int y = 1; y < scale; ++y)
+      std::copy_n(first, mask.cols, mask.ptr<std::uint8_t>(static_cast<int>(row) * scale + y));
   }
   return mask;
 }

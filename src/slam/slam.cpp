@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "dense/fusion/rectifier.hpp"
 #include "dense/mesh/make_mesh.hpp"
+#include "dense/mesh/simplify_mesh.hpp"
 #include "slam/pipeline.hpp"
 
 namespace stdc {
@@ -88,7 +89,9 @@ std::vector<PlacedView> Slam::dense_views(MapId map) const {
 TriangleMesh Slam::mesh(MapId map, double voxel) const {
   DenseSettings settings = dense_;
   if (voxel > 0) settings.voxel = voxel;
-  return make_mesh(dense_views(map), pinhole_of(pipeline_->camera()), settings);
+  TriangleMesh mesh = make_mesh(dense_views(map), pinhole_of(pipeline_->camera()), settings);
+  simplify_mesh(mesh, simplification_of(settings));
+  return mesh;
 }
 
 Slam::DenseUsage Slam::dense_usage() const {

@@ -105,7 +105,8 @@ class Slam {
   /// Views of the static scene that belong to a map, where the map now has them: see dense/. By time.
   std::vector<PlacedView> dense_views(MapId map = {0}) const;
   /// The surface that they show, in the map's world; made anew each time, which takes about 20 ms of CPU time
-  /// a view at 1 cm. Empty if there is none.
+  /// a view at 1 cm, then simplified as `dense.mesh_tolerance` and `dense.mesh_triangles` say. Empty if there
+  /// is none.
   /// @param voxel  [m]; 0: `dense.voxel`
   TriangleMesh mesh(MapId map = {0}, double voxel = 0) const;
   /// CPU milliseconds that fusing frames has taken beside the tracker, and their number.

@@ -9,7 +9,7 @@
 
 namespace stdc {
 
-/// What the page's curves and its path show of a frame.
+/// What the page's curves and its path show of a frame, or of several, of which it then says the worst.
 struct FrameRecord {
   enum Flag : std::uint8_t { kPose = 1, kKeyframe = 2, kLoop = 4 };
 
@@ -21,13 +21,18 @@ struct FrameRecord {
   TrackingStatus status = TrackingStatus::initialising;
   std::uint8_t flags = 0;
   std::uint16_t map = 0;
-  Pose world_from_cam;  ///< if it has one, as known when it was tracked
+  Pose world_from_cam;                    ///< if it has one, as known when it was tracked
+  std::uint32_t frames = 1, tracked = 0;  ///< that it stands for, and those of them with status ok
 };
 
 FrameRecord make_frame_record(const TrackingResult& result);
 
-inline constexpr std::size_t kFrameRecordSize = 64;  ///< [bytes] in a message
-/// Index of the first frame (u32), their number (u32), then of each what FrameRecord lists, in its order.
+/// One record for the frames of two that follow each other: the longest time, the fewest inliers, the largest
+/// shares, the worst status; time and pose of the second.
+FrameRecord merge(const FrameRecord& first, const FrameRecord& second);
+
+inline constexpr std::size_t kFrameRecordSize = 72;  ///< [bytes] in a message
+/// Number of the first frame (u32), of records (u32), then of each what FrameRecord lists, in its order.
 std::string encode_frames(std::uint32_t first, const std::vector<FrameRecord>& frames);
 
 }  // namespace stdc

@@ -93,8 +93,18 @@ std::string encode_small_jpeg(const cv::Mat& colour, int width, int quality) {
   return text_of(encode_jpeg(resized(colour, width, cv::INTER_AREA), quality));
 }
 
+cv::Mat ViewColour::image() const {
+  if (!in_colour) return seen;
+  try {
+    cv::Mat coloured = in_colour();
+    return coloured.size() == seen.size() ? coloured : seen;
+  } catch (const std::exception&) {  // grey will do
+    return seen;
+  }
+}
+
 std::string encode_image(const ViewImage& image, std::uint32_t wanted) {
-  const std::string colour = encode_small_jpeg(image.colour, kWidth, kQuality);
+  const std::string colour = encode_small_jpeg(image.colour.image(), kWidth, kQuality);
   DrawnDepth depth;
   if ((wanted & kWantDepth) != 0 && !image.depth.empty()) {
     depth = draw_depth(image.depth, image.depth_units_per_metre);
@@ -104,8 +114,8 @@ std::string encode_image(const ViewImage& image, std::uint32_t wanted) {
   const std::vector<Keypoint>& keypoints = image.found.keypoints;
   ByteWriter bytes;
   bytes.put(static_cast<std::uint32_t>(image.frame));
-  bytes.put(static_cast<std::uint16_t>(image.colour.cols));
-  bytes.put(static_cast<std::uint16_t>(image.colour.rows));
+  bytes.put(static_cast<std::uint16_t>(image.colour.seen.cols));
+  bytes.put(static_cast<std::uint16_t>(image.colour.seen.rows));
   bytes.put(depth.near);
   bytes.put(depth.far);
   for (const std::size_t size : {colour.size(), depth.png.size(), masks.size(), keypoints.size()}) {

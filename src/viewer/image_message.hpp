@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <string>
 
@@ -8,10 +9,19 @@
 
 namespace stdc {
 
+/// An image as a run saw it, and what gives it in colour where the run needs none.
+struct ViewColour {
+  cv::Mat seen;                             ///< as RgbdImage::colour
+  std::function<cv::Mat()> in_colour = {};  ///< null: there is no other
+
+  /// In colour if that can be had.
+  cv::Mat image() const;
+};
+
 /// A frame as the page shows it. Its images are not changed by anyone while it is encoded.
 struct ViewImage {
   int frame = 0;
-  cv::Mat colour;                       ///< as in RgbdImage
+  ViewColour colour;
   cv::Mat depth;                        ///< as in RgbdImage, or empty
   double depth_units_per_metre = 5000;  ///< of a 16-bit depth
   FrameView found;

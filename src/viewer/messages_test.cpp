@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 
 #include "core/image_codec.hpp"
 #include "viewer/aligned_truth.hpp"
@@ -46,12 +47,14 @@ TEST(FrameRecord, SaysWhatTheResultSays) {
   EXPECT_EQ(number_at<std::uint16_t>(bytes, 42), 2U);
   EXPECT_EQ(number_at<float>(bytes, 44), -1.0F);  // world_from_cam
   EXPECT_EQ(number_at<float>(bytes, 68), 1.0F);   // w
+  EXPECT_EQ(number_at<std::uint32_t>(bytes, 72), 1U);
+  EXPECT_EQ(number_at<std::uint32_t>(bytes, 76), 0U);
 }
 
 TEST(ImageMessage, HoldsWhatIsWanted) {
   ViewImage image;
   image.frame = 3;
-  image.colour = cv::Mat(960, 1280, CV_8UC3, cv::Scalar(10, 200, 30));
+  image.colour.seen = cv::Mat(960, 1280, CV_8UC3, cv::Scalar(10, 200, 30));
   image.depth = cv::Mat(960, 1280, CV_16UC1, cv::Scalar(10000));  // 2 m
   image.depth.at<std::uint16_t>(0, 0) = 0;
   image.found.segmented = cv::Mat(960, 1280, CV_8UC1, cv::Scalar(255));
@@ -85,13 +88,21 @@ TEST(ImageMessage, HoldsWhatIsWanted) {
 
 TEST(ImageMessage, TakesDepthInMetresAndWhatIsNoNumber) {
   ViewImage image;
-  image.colour = cv::Mat(48, 64, CV_8UC1, cv::Scalar(9));
+  image.colour.seen = cv::Mat(48, 64, CV_8UC1, cv::Scalar(9));
   image.depth = cv::Mat(48, 64, CV_32FC1, cv::Scalar(std::nanf("")));
   const std::string bytes = encode_image(image, kWantImage | kWantDepth | kWantMasks);
   const auto colour = number_at<std::uint32_t>(bytes, 16), depth = number_at<std::uint32_t>(bytes, 20);
   const DecodedImage grey =
       decode_png_colour(part(bytes, 32 + colour, depth), {64, 48}, ColourMode::as_stored);
   EXPECT_EQ(cv::countNonZero(grey.image), 0);
+}
+
+TEST(ViewColour, IsInColourWhereThatCanBeHad) {
+  const cv::Mat grey(48, 64, CV_8UC1, cv::Scalar(9)), coloured(48, 64, CV_8UC3, cv::Scalar(1, 2, 3));
+  EXPECT_EQ(ViewColour{grey}.image().channels(), 1);
+  EXPECT_EQ((ViewColour{grey, [&] { return coloured; }}.image().channels()), 3);
+  EXPECT_EQ((ViewColour{grey, [&] { return cv::Mat(24, 32, CV_8UC3); }}.image().size()), grey.size());
+  EXPECT_EQ((ViewColour{grey, []() -> cv::Mat { throw std::runtime_error("gone"); }}.image().channels()), 1);
 }
 
 TEST(MeshMessage, PlacesAreWithinATenthOfAMillimetre) {

@@ -1,6 +1,5 @@
 #include "viewer/view_board.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace stdc {
@@ -22,7 +21,7 @@ void ViewBoard::post(ViewTopic topic, std::string message) {
 
 void ViewBoard::add(const FrameRecord& record) {
   std::unique_lock lock(mutex_);
-  frames_.push_back(record);
+  frames_.add(record);
   changed(std::move(lock));
 }
 
@@ -31,16 +30,14 @@ ViewBoard::Posted ViewBoard::latest(ViewTopic topic) const {
   return posted_[static_cast<std::size_t>(topic)];
 }
 
-std::vector<FrameRecord> ViewBoard::frames(std::size_t first, std::size_t max) const {
+FrameHistory::Part ViewBoard::frames(std::uint32_t first, std::size_t max) const {
   const std::lock_guard lock(mutex_);
-  first = std::min(first, frames_.size());
-  const auto begin = frames_.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(std::min(max, frames_.size() - first))};
+  return frames_.from(first, max);
 }
 
-std::size_t ViewBoard::frame_count() const {
+std::uint32_t ViewBoard::frame_count() const {
   const std::lock_guard lock(mutex_);
-  return frames_.size();
+  return frames_.frame_count();
 }
 
 std::uint64_t ViewBoard::changes() const {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/frame_record.hpp"
+#include "viewer/frame_history.hpp"
 #include "viewer/view_topic.hpp"
 
 namespace stdc {
@@ -17,7 +17,7 @@ namespace stdc {
 /// A message, shared by all who send it; null: there is none.
 using ViewMessage = std::shared_ptr<const std::string>;
 
-/// What there is to see: the latest message about each topic, and the records of all frames. Painters put
+/// What there is to see: the latest message about each topic, and the records of the frames. Painters put
 /// things up, each page's feed takes what is newer than what it has sent. Nothing is queued: what was not
 /// taken in time is replaced. To be used by any thread.
 class ViewBoard {
@@ -30,9 +30,9 @@ class ViewBoard {
   void post(ViewTopic topic, std::string message);
   void add(const FrameRecord& record);
   Posted latest(ViewTopic topic) const;
-  /// Records from the `first` on, at most `max` of them.
-  std::vector<FrameRecord> frames(std::size_t first, std::size_t max) const;
-  std::size_t frame_count() const;
+  /// See FrameHistory.
+  FrameHistory::Part frames(std::uint32_t first, std::size_t max) const;
+  std::uint32_t frame_count() const;
 
   /// Counts everything that happens; see wait().
   std::uint64_t changes() const;
@@ -47,7 +47,7 @@ class ViewBoard {
   mutable std::mutex mutex_;
   mutable std::condition_variable condition_;
   std::array<Posted, 8> posted_;  ///< by topic
-  std::vector<FrameRecord> frames_;
+  FrameHistory frames_;
   std::uint64_t changes_ = 0;
 };
 

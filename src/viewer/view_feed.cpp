@@ -23,10 +23,11 @@ std::optional<std::string> ViewFeed::next_piece() {
 
 std::optional<std::string> ViewFeed::frames_piece() {
   constexpr std::size_t kMax = kMaxPiece / kFrameRecordSize - 1;
-  const std::vector<FrameRecord> frames = board_.frames(frames_sent_, kMax);
-  if (frames.empty()) return std::nullopt;
-  const std::string message = encode_frames(static_cast<std::uint32_t>(frames_sent_), frames);
-  frames_sent_ += frames.size();
+  const FrameHistory::Part part = board_.frames(frames_sent_, kMax);
+  if (part.records.empty()) return std::nullopt;
+  const std::string message = encode_frames(part.first, part.records);
+  frames_sent_ = part.first;
+  for (const FrameRecord& record : part.records) frames_sent_ += record.frames;
   return make_piece(ViewTopic::frames, ++sent_[index(ViewTopic::frames)], message, 0);
 }
 

@@ -45,7 +45,7 @@ class ViewFeed {
   mutable std::mutex mutex_;  ///< of what follows
   std::uint32_t wanted_ = 0;
   ViewMessage keyframe_;
-  std::size_t frames_sent_ = 0;
+  std::uint32_t frames_sent_ = 0;
   std::array<std::uint32_t, 8> sent_{};  ///< revisions, by topic
   std::array<std::optional<Transfer>, 8> under_way_;
   std::uint32_t keyframes_sent_ = 0;

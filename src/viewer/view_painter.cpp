@@ -66,7 +66,7 @@ void ViewPainter::give(ViewMap map) {
   changed_.notify_all();
 }
 
-void ViewPainter::give_keyframe(int frame, cv::Mat colour) {
+void ViewPainter::give_keyframe(int frame, ViewColour colour) {
   constexpr std::size_t kMaxWaiting = 8;
   const std::lock_guard lock(mutex_);
   if (inbox_.keyframes.size() == kMaxWaiting) inbox_.keyframes.pop_front();
@@ -153,7 +153,7 @@ void ViewPainter::paint(Inbox& inbox) {
   for (const FrameRecord& record : inbox.records) board_.add(record);
   if (inbox.truth) truth_.emplace(*std::move(inbox.truth));
   if (inbox.image) board_.post(ViewTopic::image, encode_image(*inbox.image, inbox.wanted));
-  for (const auto& [frame, colour] : inbox.keyframes) keyframes_.add(frame, colour);
+  for (const auto& [frame, colour] : inbox.keyframes) keyframes_.add(frame, colour.image());
   if (inbox.map) paint_map(*inbox.map);
 }
 

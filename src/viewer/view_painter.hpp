@@ -34,7 +34,7 @@ class ViewPainter {
   bool free_for_map() const;
   void give(ViewImage image, std::uint32_t wanted);
   void give(ViewMap map);
-  void give_keyframe(int frame, cv::Mat colour);
+  void give_keyframe(int frame, ViewColour colour);
   void set_truth(Trajectory truth);
   void finish();
 
@@ -51,7 +51,7 @@ class ViewPainter {
     std::uint32_t wanted = 0;
     std::optional<ViewMap> map;
     std::optional<Trajectory> truth;
-    std::deque<std::pair<int, cv::Mat>> keyframes;
+    std::deque<std::pair<int, ViewColour>> keyframes;
     bool state = true;   ///< something in it has changed
     bool urgent = true;  ///< and is to be seen at once
     bool empty() const { return records.empty() && !image && !map && !truth && keyframes.empty() && !state; }

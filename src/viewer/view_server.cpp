@@ -51,18 +51,20 @@ class ViewServer::Impl {
   const WebServer& web() const { return web_; }
   ViewPainter& painter() { return painter_; }
 
-  void show(const RgbdImage* image, const TrackingResult& result, const Slam& slam) {
+  void show(const RgbdImage* image, const TrackingResult& result, const Slam& slam,
+            const std::function<cv::Mat()>& in_colour) {
     painter_.add(result);
     const bool has_image = image != nullptr && !image->colour.empty();
-    if (result.is_keyframe && has_image) painter_.give_keyframe(result.frame, image->colour.clone());
+    if (result.is_keyframe && has_image)
+      painter_.give_keyframe(result.frame, {image->colour.clone(), in_colour});
     if (web_.wanted() == 0) return;
-    if (has_image) show_image(*image, result.frame, slam, false);
+    if (has_image) show_image(*image, result.frame, slam, in_colour, false);
     show_map(slam, false);
     show_mesh(slam);
   }
 
   void hold(const RgbdImage* image, const TrackingResult& result, const Slam& slam,
-            const std::function<bool()>& give_up) {
+            const std::function<bool()>& give_up, const std::function<cv::Mat()>& in_colour) {
     if (!gate_.hold_after_frame()) return;
     painter_.set_paused(true);
     const bool has_image = image != nullptr && !image->colour.empty();
@@ -79,7 +81,7 @@ class ViewServer::Impl {
       shown = wanted;
       connections = web_.connections();
       if (wanted == 0) continue;
-      if (has_image) show_image(*image, result.frame, slam, true);
+      if (has_image) show_image(*image, result.frame, slam, in_colour, true);
       show_map(slam, true);
     }
     painter_.set_paused(gate_.paused());
@@ -111,14 +113,15 @@ class ViewServer::Impl {
     if (request.kind == ViewRequest::Kind::step) gate_.step();
   }
 
-  void show_image(const RgbdImage& image, int frame, const Slam& slam, bool now) {
+  void show_image(const RgbdImage& image, int frame, const Slam& slam,
+                  const std::function<cv::Mat()>& in_colour, bool now) {
     const std::uint32_t wanted = web_.wanted();
     if ((wanted & kWantImage) == 0) return;
     if (!now && (Clock::now() < next_image_ || !painter_.free_for_image())) return;
     next_image_ = Clock::now() + kImageInterval;
     ViewImage view;
     view.frame = frame;
-    view.colour = image.colour.clone();  // the caller may have other uses for its buffers
+    view.colour = {image.colour.clone(), in_colour};  // the caller may have other uses for its buffers
     if ((wanted & kWantDepth) != 0) view.depth = image.depth.clone();
     view.depth_units_per_metre = units_;
     view.found = slam.last_frame();
@@ -165,9 +168,9 @@ int ViewServer::pages() const { return impl_->web().clients(); }
 void ViewServer::set_truth(Trajectory truth) { impl_->painter().set_truth(std::move(truth)); }
 
 void ViewServer::show(const RgbdImage* image, const TrackingResult& result, const Slam& slam,
-                      const std::function<bool()>& give_up) {
-  impl_->show(image, result, slam);
-  impl_->hold(image, result, slam, give_up);
+                      const std::function<bool()>& give_up, const std::function<cv::Mat()>& in_colour) {
+  impl_->show(image, result, slam, in_colour);
+  impl_->hold(image, result, slam, give_up, in_colour);
 }
 
 void ViewServer::wait_for_page(const std::function<bool()>& give_up) const {

@@ -49,9 +49,11 @@ class ViewServer {
   void set_truth(Trajectory truth);
   /// Shows a frame, after its track() or skip(). If a page has paused the run this returns only when it is to
   /// go on, or when `give_up`, asked every so often, says so.
-  /// @param image  null if it could not be read; copied if need be
+  /// @param image      null if it could not be read; copied if need be
+  /// @param in_colour  gives the image again, in colour, if the run sees grey: called now and then by another
+  ///                   thread, also later; what it throws leaves the image grey
   void show(const RgbdImage* image, const TrackingResult& result, const Slam& slam,
-            const std::function<bool()>& give_up = {});
+            const std::function<bool()>& give_up = {}, const std::function<cv::Mat()>& in_colour = {});
   /// Waits for a page to look, for a run that is to be seen from its first frame.
   void wait_for_page(const std::function<bool()>& give_up) const;
   /// Shows the final state, after Slam::finish().

@@ -19,7 +19,7 @@ inline constexpr std::array kBoardTopics = {ViewTopic::state, ViewTopic::image, 
 /// A WebSocket message is a piece of a message: so a mesh of 20 MB does not hold up what is urgent.
 /// Header: topic (u8), version of the protocol (u8), 0 (u16), revision (u32), size of the whole (u32),
 /// offset of the piece (u32).
-inline constexpr std::uint8_t kProtocolVersion = 1;
+inline constexpr std::uint8_t kProtocolVersion = 2;
 inline constexpr std::size_t kPieceHeader = 16, kMaxPiece = 256 * 1024;  // [bytes]
 
 inline std::string make_piece(ViewTopic topic, std::uint32_t revision, std::string_view whole,

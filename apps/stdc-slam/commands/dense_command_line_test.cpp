@@ -84,6 +84,26 @@ TEST_F(DenseCommandLine, AMapFileKeepsItsDensePart) {
   EXPECT_GT(fs::file_size(folder_ / "d.ply"), 10000U);
 }
 
+TEST_F(DenseCommandLine, MeshesAreSimplifiedAndNothingElseIs) {
+  make_map();
+  ASSERT_EQ(call("map export s.map --mesh whole.ply --cloud whole.pcd --voxel 0.04").code, 0);
+  const Outcome outcome = call(
+      "map export s.map --mesh few.ply --cloud few.pcd --voxel 0.04 --tolerance 0.02 --set "
+      "dense.mesh_colour_tolerance=255");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, " triangles left of ")) << outcome.out;
+  EXPECT_LT(fs::file_size(folder_ / "few.ply"), fs::file_size(folder_ / "whole.ply") / 4);
+  EXPECT_EQ(content(folder_ / "few.pcd"), content(folder_ / "whole.pcd"));
+  ASSERT_EQ(call(std::string(kRun) +
+                 "--dense b.ply --dense-tolerance 0.02 --set dense.mesh_colour_tolerance=255 --quiet")
+                .code,
+            0);
+  EXPECT_EQ(content(folder_ / "few.ply"), content(folder_ / "b.ply"));
+  ASSERT_EQ(call("map export s.map --mesh c.ply --voxel 0.04 --triangles 200 --quiet").code, 0);
+  EXPECT_TRUE(contains(content(folder_ / "c.ply").substr(0, 400), "element face 200\n") ||
+              contains(content(folder_ / "c.ply").substr(0, 400), "element face 199\n"));
+}
+
 TEST_F(DenseCommandLine, RefusesInOneLineAndWritesNothing) {
   make_map();
   expect_refusal("run s -o o --dense mesh.stl", "give a file that ends in .glb, .ply, .pcd");
@@ -95,6 +115,14 @@ TEST_F(DenseCommandLine, RefusesInOneLineAndWritesNothing) {
   expect_refusal("run s -o o --set dense.active=true", "dense.active: nothing is made of the dense map");
   expect_refusal("run s -o o --dense m.glb --load-map s.map --localisation-only",
                  "--dense: with --localisation-only");
+  expect_refusal("run s -o o --dense-tolerance 0.01", "--dense-tolerance: there is no mesh to simplify");
+  expect_refusal("run s -o o --dense m.pcd --dense-triangles 9",
+                 "--dense-triangles: there is no mesh to simplify");
+  expect_refusal("run s -o o --dense m.glb --dense-tolerance -1", "dense.mesh_tolerance");
+  expect_refusal("map export s.map --cloud m.ply --tolerance 0.01",
+                 "--tolerance: there is no mesh to simplify");
+  expect_refusal("map export s.map --mesh m.ply --tolerance 0.01 --set dense.mesh_tolerance=0.1",
+                 "--tolerance: is the same setting as");
   expect_refusal("map export s.map", "nothing is to be written");
   expect_refusal("map export s.map --mesh m.pcd", "--mesh m.pcd: '.pcd' is no ending");
   expect_refusal("map export s.map --cloud m.glb", "--cloud m.glb");

@@ -7,6 +7,7 @@
 #include "commands/input_options.hpp"
 #include "core/error.hpp"
 #include "input/camera_file.hpp"
+#include "input/shifted_depth.hpp"
 #include "report/info_report.hpp"
 #include "run/progress.hpp"
 
@@ -20,13 +21,15 @@ struct InfoOptions {
 };
 
 void show_info(const InfoOptions& options) {
-  const auto source = open_source(options.input.path, options.input.source);
+  auto source = open_source(options.input.path, options.input.source);
   if (source->is_live()) {
     throw Error(source->where(), "is a live camera, which has no end to look at",
                 "record it first: stdc-slam record");
   }
   std::optional<RgbdCameras> cameras;
   if (options.input.camera) cameras = read_cameras(*options.input.camera);
+  const std::optional<RgbdCameras> used = cameras ? cameras : source->cameras();
+  if (used && used->depth_time_offset != 0) source = shift_depth(std::move(source), used->depth_time_offset);
   InputSurvey survey;
   {
     Progress progress("looking", "frames", source->expected_frame_count(), options.quiet);
@@ -40,7 +43,8 @@ constexpr const char* kInfoFooter = R"(
 Goes through the whole input, decodes some of its frames, and tells its kind and streams, how many frames there are
 and how regularly they come, the camera, and how much depth there is. Warnings tell what is likely to be wrong:
 gaps, depth in another unit than the camera file says, depth that is not registered to the colour images, a camera of
-another image size.
+another image size. With a depth_time_offset in the camera file, frames are paired as run pairs them, and the time of
+depth is what is left of it.
 
 Examples:
   stdc-slam info rgbd_dataset_freiburg1_xyz

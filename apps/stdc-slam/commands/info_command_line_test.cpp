@@ -61,9 +61,32 @@ TEST_F(InfoCommandLine, WarnsOfACameraOfAnotherSizeAndOfNone) {
       << unknown.out;
 }
 
+TEST_F(InfoCommandLine, PairsFramesByTheDelayThatTheCameraFileTells) {
+  make_sequence();  // depth images are stamped 3 ms later than colour
+  folder_.write("s/camera.yaml", content(folder_ / "s/camera.yaml") + "depth_time_offset: 0.032\n");
+  const Outcome outcome = call("info s");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  // So each colour image takes the depth image before its own, which was taken 1.7 ms later; the first has
+  // none.
+  EXPECT_TRUE(contains(outcome.out, "depth time   +1.7 ms from colour")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "; with the camera's depth_time_offset of +32.0 ms")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "frames       11 in ")) << outcome.out;
+  EXPECT_EQ(nlohmann::json::parse(call("info s --json").out)["camera"]["depth_time_offset"], 0.032);
+}
+
 TEST_F(InfoCommandLine, RefusesWhatIsNoInput) {
   folder_.write("a.xyz", std::string("?"));
   expect_refusal("info a.xyz", "a.xyz: is no recording of a kind that can be read");
+  folder_.write("a.R3D", std::string("PK"));
+  expect_refusal("info a.R3D", "a.R3D: is a recording of Record3D, whose depth is packed by LZFSE");
+  folder_.write("unzipped/rgbd/0.depth", std::string("bvx2"));
+  folder_.write("unzipped/metadata", std::string("{}"));
+  expect_refusal("info unzipped", "unzipped: is a recording of Record3D");
+  folder_.write("rgb.mp4", std::string("ftyp"));
+  expect_refusal("info rgb.mp4", "rgb.mp4: is a video, which is not decoded here");
+  folder_.write("phone/video.MOV", std::string("ftyp"));
+  folder_.write("phone/depth/000000.png", std::string("?"));
+  expect_refusal("info phone", "phone/video.MOV: is a video, which is not decoded here; unpack it");
   expect_refusal("info none", "none: there is no such folder");
   make_sequence(1);
   expect_refusal("info s --input-kind elephant",

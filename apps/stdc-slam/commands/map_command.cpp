@@ -15,8 +15,9 @@
 #include "dense/mesh/make_mesh.hpp"
 #include "report/map_export.hpp"
 #include "report/map_report.hpp"
-#include "run/dense_output.hpp"
+#include "run/dense_detail.hpp"
 #include "run/output_folder.hpp"
+#include "run/run_dense.hpp"
 
 namespace stdc::app {
 namespace {
@@ -25,8 +26,8 @@ struct MapOptions {
   std::string file, output;
   std::string mesh, cloud, octomap, grid;  ///< files
   std::string up;                          ///< "X,Y,Z"
-  std::optional<double> voxel;             ///< [m]
-  std::optional<int> map;                  ///< number of the map
+  DenseDetail detail;
+  std::optional<int> map;  ///< number of the map
   SettingsOptions settings;
   bool json = false, quiet = false;
 };
@@ -109,8 +110,8 @@ void export_dense(const MapOptions& options, std::vector<DenseTarget> targets, c
       output.write({place_views(stored.views, snapshot, map), stored.camera, settings, parse_up(options.up)});
   output.commit();
   if (options.quiet) return;
-  fmt::print("{} ({} vertices, {} triangles of {} views; {:.1f} s, CPU {:.1f} s)\n", output.names(),
-             report.vertices, report.triangles, report.views, report.seconds, report.cpu_seconds);
+  fmt::print("{} ({}; {:.1f} s, CPU {:.1f} s)\n", output.names(), describe(report), report.seconds,
+             report.cpu_seconds);
   if (report.views < stored.views.size()) {
     fmt::print("{} views of other maps are not in it; --map N chooses\n", stored.views.size() - report.views);
   }
@@ -123,13 +124,13 @@ void export_map(const MapOptions& options) {
                 "give --output FOLDER for the landmarks, or --mesh, --cloud, --octomap or --grid");
   }
   Settings settings = chosen_settings(options.settings);
-  check_not_assigned(options.voxel.has_value(), "--voxel", options.settings, "dense.voxel");
-  if (options.voxel) settings.dense.voxel = *options.voxel;
+  apply_detail(options.detail, "--", options.settings, settings.dense);
   settings.validate();
-  if (targets.empty() && (options.voxel || options.map || !options.up.empty())) {
+  if (targets.empty() && (options.detail.voxel || options.map || !options.up.empty())) {
     throw Error("map export", "--voxel, --map and --up are about the dense map, which is not asked for",
                 "give --mesh, --cloud, --octomap or --grid, too");
   }
+  check_simplifies(options.detail, "--", targets, "--mesh FILE");
   parse_up(options.up);
   const StoredMap stored = load_map(options.file);
   if (stored.atlas.keyframe_count() == 0) {
@@ -163,8 +164,7 @@ void add_export(Command map, const std::shared_ptr<MapOptions>& options) {
   command.add_option("--octomap", options->octomap, "The same as an OctoMap: .bt");
   command.add_option("--grid", options->grid,
                      "The same as a plan for robots (ROS map_server): .yaml, and .pgm beside it");
-  command.add_option("--voxel", options->voxel, "Side of the voxels of the dense map, default 0.01")
-      .type_name("METRES");
+  add_detail_options(command, "--", options->detail);
   command.add_option("--up", options->up, "What is up in the map, for --grid; default: away from the floor")
       .type_name("X,Y,Z");
   command.add_option("--map", options->map, "Which map's dense map; default: the one that shows most");
@@ -185,6 +185,7 @@ Written to the output folder, all at the end or nothing:
 Examples:
   stdc-slam map export office.map --output office
   stdc-slam map export office.map --mesh office.glb --grid office.yaml
+  stdc-slam map export office.map --mesh small.glb --tolerance 0.01
   stdc-slam map export office.map --octomap office.bt --set dense.cell=0.1)");
   command.callback([options] { export_map(*options); });
 }

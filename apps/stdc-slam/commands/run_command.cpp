@@ -74,8 +74,7 @@ void add_options(Command command, RunOptions& options) {
                   "File for the dense map of all that does not move: .glb or .ply (mesh), .pcd (cloud), .bt "
                   "(OctoMap), .yaml or .pgm (plan for robots); may be given several times")
       .one_value_each();
-  command.add_option("--dense-voxel", options.dense.voxel, "Side of its voxels, default 0.01")
-      .type_name("METRES");
+  add_detail_options(command, "--dense-", options.dense.detail);
   command.add_flag("--localisation-only", options.localisation_only,
                    "Only find the camera in the loaded map, and leave that as it is");
   add_frames_option(command, options.input);

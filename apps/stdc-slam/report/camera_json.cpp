@@ -28,6 +28,7 @@ nlohmann::ordered_json camera_to_json(const Camera& of) {
 
 nlohmann::ordered_json cameras_to_json(const RgbdCameras& cameras) {
   nlohmann::ordered_json json = camera_to_json(cameras.colour);
+  if (cameras.depth_time_offset != 0) json["depth_time_offset"] = cameras.depth_time_offset;
   if (!cameras.depth) return json;
   const Eigen::Vector3d& t = cameras.depth->colour_from_depth.translation;
   const Eigen::Quaterniond& q = cameras.depth->colour_from_depth.rotation;

@@ -43,8 +43,13 @@ std::string times_text(const InputSurvey& survey) {
                                    : fmt::format("{}, the longest {:.2f} s after {:.2f} s", t.gaps,
                                                  t.longest_gap, t.gap_at - t.first));
   if (t.frames > 0) {
-    text += line("depth time", fmt::format("{:+.1f} ms from colour (median), 95 % within {:.1f} ms of that",
-                                           1e3 * t.depth_offset, 1e3 * t.depth_offset_spread));
+    std::string offset = fmt::format("{:+.1f} ms from colour (median), 95 % within {:.1f} ms of that",
+                                     1e3 * t.depth_offset, 1e3 * t.depth_offset_spread);
+    if (survey.cameras && survey.cameras->depth_time_offset != 0) {
+      offset += fmt::format("; with the camera's depth_time_offset of {:+.1f} ms",
+                            1e3 * survey.cameras->depth_time_offset);
+    }
+    text += line("depth time", offset);
   }
   return text;
 }

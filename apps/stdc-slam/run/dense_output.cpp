@@ -10,6 +10,7 @@
 #include "dense/export/octomap_file.hpp"
 #include "dense/fusion/rectifier.hpp"
 #include "dense/mesh/make_mesh.hpp"
+#include "dense/mesh/simplify_mesh.hpp"
 #include "dense/occupancy/grid_map.hpp"
 #include "run/process_usage.hpp"
 
@@ -62,6 +63,10 @@ Eigen::Quaternionf gltf_from_world(const Pose& level_from_world) {
 
 }  // namespace
 
+bool is_mesh(const DenseTarget& target) {
+  return target.kind == DenseKind::mesh_ply || target.kind == DenseKind::mesh_glb;
+}
+
 DenseTarget any_target(const fs::path& path, const char* option) {
   return target_of(path, option,
                    {{".glb", DenseKind::mesh_glb},
@@ -99,8 +104,7 @@ DenseOutput::DenseOutput(std::vector<DenseTarget> targets) : targets_(std::move(
 DenseReport DenseOutput::write(const DenseInput& input) {
   Stopwatch watch;
   const double cpu_start = process_usage().cpu_seconds;
-  const Pinhole pinhole = pinhole_of(input.camera);
-  const TriangleMesh mesh = make_mesh(input.views, pinhole, input.settings);
+  TriangleMesh mesh = make_mesh(input.views, pinhole_of(input.camera), input.settings);
   if (mesh.empty()) {
     throw Error(targets_.front().path.string(), "there is no surface to write: the dense map is empty",
                 "give frames with depth that get a pose, or a smaller dense.min_component");
@@ -110,55 +114,63 @@ DenseReport DenseOutput::write(const DenseInput& input) {
            target.kind == DenseKind::grid;
   });
   const auto floor = wants_level ? find_floor(mesh, input.views, input.up) : std::nullopt;
+  write_others(mesh, input, floor);
+  DenseReport report{input.views.size(), mesh.positions.size(), mesh.triangles.size(), mesh.triangles.size()};
+  if (std::any_of(targets_.begin(), targets_.end(), is_mesh)) {
+    simplify_mesh(mesh, simplification_of(input.settings));
+    report.vertices = mesh.positions.size(), report.triangles = mesh.triangles.size();
+    write_meshes(mesh, floor ? floor->level_from_world : level_from_camera());
+  }
+  report.seconds = 1e-3 * watch.lap_ms();
+  report.cpu_seconds = process_usage().cpu_seconds - cpu_start;
+  return report;
+}
+
+void DenseOutput::write_meshes(const TriangleMesh& mesh, const Pose& level_from_world) {
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (!is_mesh(targets_[i])) continue;
+    if (targets_[i].kind == DenseKind::mesh_ply) {
+      write_mesh_ply(files_[i].stream(), mesh);
+    } else {
+      write_mesh_glb(files_[i].stream(), mesh, gltf_from_world(level_from_world));
+    }
+    files_[i].flush();
+  }
+}
+
+void DenseOutput::write_others(const TriangleMesh& mesh, const DenseInput& input,
+                               const std::optional<FloorPlane>& floor) {
   const Pose level_from_world = floor ? floor->level_from_world : level_from_camera();
   std::optional<OccupancyCells> cells;
   const auto occupancy = [&]() -> const OccupancyCells& {
     if (!cells) {
-      cells = find_occupancy(mesh, input.views, pinhole, input.settings, level_from_world,
+      cells = find_occupancy(mesh, input.views, pinhole_of(input.camera), input.settings, level_from_world,
                              std::max(input.settings.cell, input.settings.voxel));
     }
     return *cells;
   };
   auto image = images_.begin();
   for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (is_mesh(targets_[i])) continue;
     std::ostream& stream = files_[i].stream();
-    switch (targets_[i].kind) {
-      case DenseKind::mesh_ply:
-        write_mesh_ply(stream, mesh);
-        break;
-      case DenseKind::mesh_glb:
-        write_mesh_glb(stream, mesh, gltf_from_world(level_from_world));
-        break;
-      case DenseKind::cloud_ply:
-        write_cloud_ply(stream, mesh);
-        break;
-      case DenseKind::cloud_pcd:
-        write_cloud_pcd(stream, mesh);
-        break;
-      case DenseKind::octomap:
-        write_octomap(stream, occupancy());
-        break;
-      case DenseKind::grid: {
-        if (!floor) {
-          throw Error(targets_[i].path.string(),
-                      "no floor was found in the dense map, so there is no plan of it",
-                      "show the floor to the camera, or say what is up by map export --up X,Y,Z");
-        }
-        const GridMap map =
-            flatten(occupancy(), input.settings.min_obstacle_height, input.settings.max_obstacle_height);
-        write_pgm(image->stream(), map);
-        write_yaml(stream, map, image->path().filename().string(), level_from_world);
-        image->flush();
-        ++image;
-        break;
+    if (targets_[i].kind == DenseKind::cloud_ply) write_cloud_ply(stream, mesh);
+    if (targets_[i].kind == DenseKind::cloud_pcd) write_cloud_pcd(stream, mesh);
+    if (targets_[i].kind == DenseKind::octomap) write_octomap(stream, occupancy());
+    if (targets_[i].kind == DenseKind::grid) {
+      if (!floor) {
+        throw Error(targets_[i].path.string(),
+                    "no floor was found in the dense map, so there is no plan of it",
+                    "show the floor to the camera, or say what is up by map export --up X,Y,Z");
       }
+      const GridMap map =
+          flatten(occupancy(), input.settings.min_obstacle_height, input.settings.max_obstacle_height);
+      write_pgm(image->stream(), map);
+      write_yaml(stream, map, image->path().filename().string(), level_from_world);
+      image->flush();
+      ++image;
     }
     files_[i].flush();
   }
-  DenseReport report{input.views.size(), mesh.positions.size(), mesh.triangles.size()};
-  report.seconds = 1e-3 * watch.lap_ms();
-  report.cpu_seconds = process_usage().cpu_seconds - cpu_start;
-  return report;
 }
 
 void DenseOutput::commit() {

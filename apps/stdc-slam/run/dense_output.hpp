@@ -10,6 +10,8 @@
 #include "core/whole_file.hpp"
 #include "dense/dense_settings.hpp"
 #include "dense/fusion/make_field.hpp"
+#include "dense/mesh/triangle_mesh.hpp"
+#include "dense/occupancy/floor_plane.hpp"
 
 namespace stdc::app {
 
@@ -20,6 +22,8 @@ struct DenseTarget {
   DenseKind kind = DenseKind::mesh_ply;
   std::filesystem::path path;  ///< of a grid the YAML file
 };
+
+bool is_mesh(const DenseTarget& target);
 
 /// Throw Error naming the option if the file's name does not end as it should.
 DenseTarget any_target(const std::filesystem::path& path, const char* option);  ///< kind by the name
@@ -37,8 +41,9 @@ struct DenseInput {
 };
 
 struct DenseReport {
-  std::size_t views = 0, vertices = 0, triangles = 0;
-  double cpu_seconds = 0, seconds = 0;  ///< of making and writing it
+  std::size_t views = 0, vertices = 0, triangles = 0;  ///< of the mesh as it is written
+  std::size_t whole = 0;                               ///< triangles before it was simplified
+  double cpu_seconds = 0, seconds = 0;                 ///< of making and writing it
 };
 
 /// Files of a dense map, which appear at the end or not at all.
@@ -55,6 +60,11 @@ class DenseOutput {
   std::string names() const;
 
  private:
+  /// Meshes, which may be simplified, and what is made of the whole surface.
+  void write_meshes(const TriangleMesh& mesh, const Pose& level_from_world);
+  void write_others(const TriangleMesh& mesh, const DenseInput& input,
+                    const std::optional<FloorPlane>& floor);
+
   std::vector<DenseTarget> targets_;
   std::deque<WholeFile> files_;   ///< one for each target
   std::deque<WholeFile> images_;  ///< one for each grid

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/rgbd_image.hpp"
+#include "input/frame_source.hpp"
 #include "slam/tracking_result.hpp"
 
 namespace stdc::app {
@@ -12,6 +14,7 @@ struct ObservedFrame {
   int number = 0;                    ///< in the input; TrackingResult::frame counts from the first chosen one
   const RgbdImage* image = nullptr;  ///< null: it could not be read
   const TrackingResult& result;
+  std::shared_ptr<const PackedImages> packed = nullptr;  ///< the images as they came
 };
 
 /// Who wants to see each frame once it has been tracked: to draw, write, score or show it. Called by the

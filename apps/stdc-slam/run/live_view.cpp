@@ -41,6 +41,14 @@ std::optional<Trajectory> early_truth(const SequenceInput& input) {
   return input.truth();
 }
 
+/// Where the run reads grey, what the page shows is decoded again, in colour, by the thread that draws it.
+std::function<cv::Mat()> colour_of(const ObservedFrame& frame) {
+  if (frame.image == nullptr || frame.image->colour.channels() != 1 || !frame.packed) return {};
+  return [packed = frame.packed, size = frame.image->colour.size()] {
+    return packed->colour(size, ColourMode::as_stored);
+  };
+}
+
 }  // namespace
 
 LiveView::LiveView(const LiveViewOptions& options, const SequenceInput& input, const Settings& slam_settings,
@@ -61,7 +69,8 @@ void LiveView::begin(std::function<const Slam&()> slam) {
 }
 
 void LiveView::on_frame(const ObservedFrame& frame) {
-  server_.show(frame.image, frame.result, slam_(), [this] { return interrupts_.interrupted(); });
+  server_.show(
+      frame.image, frame.result, slam_(), [this] { return interrupts_.interrupted(); }, colour_of(frame));
 }
 
 void LiveView::on_end(const std::vector<LoopReport>& loops) { server_.finish(slam_(), loops); }

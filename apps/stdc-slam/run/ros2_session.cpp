@@ -63,7 +63,7 @@ void Ros2Session::track(const LoadedFrame& frame) {
   if (parts_.options.output) record_.add(result);
   if (frame.image) publish_images(stamp, *frame.image, frame.index, result);
   for (FrameObserver* observer : observers_) {
-    observer->on_frame({frame.index, frame.image ? &*frame.image : nullptr, result});
+    observer->on_frame({frame.index, frame.image ? &*frame.image : nullptr, result, frame.packed});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/settings_options.hpp"
+#include "run/dense_detail.hpp"
 #include "run/dense_output.hpp"
 #include "run/sequence_input.hpp"
 #include "slam/slam.hpp"
@@ -14,10 +15,10 @@ namespace stdc::app {
 
 struct DenseOptions {
   std::vector<std::filesystem::path> files;  ///< --dense; kinds by their names
-  std::optional<double> voxel;               ///< --dense-voxel [m]
+  DenseDetail detail;
 };
 
-/// Applies --dense and --dense-voxel to the settings. Throws Error for what would have no effect.
+/// Applies --dense, --dense-voxel and their like to the settings. Throws Error for what would have no effect.
 /// @param chosen     what the settings come from
 /// @param saves_map  the map is saved, with what a dense map is made of
 void choose_dense(const DenseOptions& options, const SettingsOptions& chosen, bool saves_map,
@@ -31,6 +32,8 @@ std::optional<DenseOutput> dense_output(const DenseOptions& options);
 std::optional<DenseReport> write_dense(const Slam& slam, const SequenceInput& input, const Settings& settings,
                                        MapId map, bool quiet, std::optional<DenseOutput>& output);
 
+/// "1000 vertices, 1990 triangles of 20 views"
+std::string describe(const DenseReport& report);
 /// A line for the terminal.
 std::string describe(const DenseReport& report, const DenseOutput& output, const Slam::DenseUsage& usage);
 

@@ -108,7 +108,7 @@ void track_frames(const SequenceInput& input, const TrackOptions& options, const
     }
     if (frame->index == 0) record.set_start_up_seconds(process_usage().wall_seconds);
     for (FrameObserver* observer : observers) {
-      observer->on_frame({number, frame->image ? &*frame->image : nullptr, result});
+      observer->on_frame({number, frame->image ? &*frame->image : nullptr, result, frame->packed});
     }
     if (!input.source().is_live() && interrupts.interrupted()) {
       // Said here, because the signal ends the program as soon as the watch is gone.

@@ -4,7 +4,8 @@ export interface Series { colour: string; dashed?: boolean; value(index: number)
 export interface Limit { value: number; label: string }
 export interface ChartData {
   count: number;
-  first: number;                          // of the frames that are drawn
+  first: number;                          // of the records that are drawn
+  place(index: number): number;           // of a record along the run, in frames
   series: Series[];
   limit?: Limit;
   min?: number;
@@ -23,8 +24,14 @@ export class Chart {
       const data = this.data;
       if (!data || data.count <= data.first) return;
       const share = event.offsetX / Math.max(1, canvas.clientWidth);
-      const index = data.first + Math.round(share * (data.count - 1 - data.first));
-      this.onHover(Math.min(data.count - 1, Math.max(data.first, index)));
+      const begin = data.place(data.first), place = begin + share * (data.place(data.count - 1) - begin);
+      let low = data.first, high = data.count - 1;  // the last one that is not beyond the place
+      while (low < high) {
+        const middle = (low + high + 1) >> 1;
+        if (data.place(middle) <= place + 0.5) low = middle;
+        else high = middle - 1;
+      }
+      this.onHover(low);
     };
     canvas.addEventListener("pointermove", track);
     canvas.addEventListener("pointerdown", track);
@@ -51,8 +58,9 @@ export class Chart {
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const pen = canvas.getContext("2d")!, low = data.min ?? 0, high = this.topOf(data);
     pen.clearRect(0, 0, width, height);
-    const span = Math.max(1, data.count - 1 - data.first);
-    const x = (index: number) => ((index - data.first) / span) * (width - 2) + 1;
+    const begin = data.count > data.first ? data.place(data.first) : 0;
+    const span = data.count > data.first ? Math.max(1, data.place(data.count - 1) - begin) : 1;
+    const x = (index: number) => ((data.place(index) - begin) / span) * (width - 2) + 1;
     const y = (value: number) => height - 2 - ((Math.min(value, high) - low) / (high - low)) * (height - 6);
     pen.strokeStyle = theme.grid;
     pen.lineWidth = 1;
@@ -105,10 +113,10 @@ export class Chart {
   }
 
   private drawMarks(pen: CanvasRenderingContext2D, data: ChartData, x: (i: number) => number, height: number, scale: number) {
-    const wide = Math.max(scale, x(data.first + 1) - x(data.first));
     for (let i = data.first; i < data.count; ++i) {
       const colour = data.marks!(i);
       if (!colour) continue;
+      const wide = Math.max(scale, x(Math.min(i + 1, data.count - 1)) - x(i));
       pen.fillStyle = colour;
       pen.fillRect(x(i) - wide / 2, height - 5 * scale, wide + 0.5, 5 * scale);
     }

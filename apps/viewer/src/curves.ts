@@ -54,13 +54,13 @@ export class Curves {
     ];
   }
 
-  private curve(id: string, make: (first: number) => Omit<ChartData, "count" | "first">, say: (index: number) => string): Curve {
+  private curve(id: string, make: (first: number) => Omit<ChartData, "count" | "first" | "place">, say: (index: number) => string): Curve {
     return {
       chart: new Chart(document.getElementById(`chart-${id}`) as HTMLCanvasElement, (index) => {
         this.hover = index;
         this.onChange();
       }),
-      data: (first) => ({ ...make(first), count: this.model.frames.length, first }),
+      data: (first) => ({ ...make(first), count: this.model.frames.length, first, place: (i) => this.model.starts[i]! }),
       value: document.getElementById(`value-${id}`)!,
       say,
     };

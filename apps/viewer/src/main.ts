@@ -70,7 +70,7 @@ function drawWords() {
   if (!state) return;
   document.title = `${state.name} · STDC-SLAM`;
   element("name").textContent = state.name;
-  const count = model.frames.length, all = state.expected_frames;
+  const count = model.total, all = state.expected_frames;
   element("progress-text").textContent = all ? `${count} of ${all} frames` : `${count} frames`;
   element<HTMLProgressElement>("progress").hidden = !all;
   if (all) Object.assign(element<HTMLProgressElement>("progress"), { max: all, value: Math.min(count, all) });

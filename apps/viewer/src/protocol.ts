@@ -1,6 +1,6 @@
 // What the program sends: see src/viewer/*_message.hpp, which says the same from the other side.
 
-export const PROTOCOL = 1;
+export const PROTOCOL = 2;
 export const PIECE_HEADER = 16;
 
 export enum Topic { state = 1, frames = 2, image = 3, map = 4, mesh = 5, keyframe = 6 }
@@ -47,6 +47,8 @@ export interface Frame {
   loop: boolean;
   map: number;
   pose: Pose | null;
+  frames: number;   // that it stands for: of long runs, old ones are merged
+  tracked: number;  // of them
 }
 
 export interface CameraImage {
@@ -92,7 +94,7 @@ export function decodeFrames(bytes: Uint8Array): { first: number; frames: Frame[
   const first = view.getUint32(0, true), count = view.getUint32(4, true);
   const frames: Frame[] = [];
   for (let i = 0; i < count; ++i) {
-    const at = 8 + 64 * i;
+    const at = 8 + 72 * i;
     const number = (offset: number) => view.getFloat32(at + offset, true);
     const flags = view.getUint8(at + 33);
     frames.push({
@@ -113,6 +115,8 @@ export function decodeFrames(bytes: Uint8Array): { first: number; frames: Frame[
         position: [number(36), number(40), number(44)],
         quaternion: [number(48), number(52), number(56), number(60)],
       },
+      frames: view.getUint32(at + 64, true),
+      tracked: view.getUint32(at + 68, true),
     });
   }
   return { first, frames };

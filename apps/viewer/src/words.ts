@@ -20,7 +20,7 @@ function ofFrame(model: Model): [Mood, string, string] {
 
 // The state of the run in a sentence, and what one ought to know besides.
 export function wordsFor(model: Model, connected: boolean, ended: boolean): Words {
-  const frames = model.frames.length, coverage = model.coverage.at(-1) ?? 0;
+  const frames = model.total, coverage = model.coverage.at(-1) ?? 0;
   const notes: string[] = [];
   if (frames > 60 && coverage < 0.99) notes.push(`${percent(coverage)} of the frames have a pose`);
   const time = model.recentTime();

@@ -31,6 +31,9 @@ double spread(std::vector<double> values, double middle) {
 /// Gathers the times of frames.
 class TimeTaker {
  public:
+  /// @param depth_time_offset  of the camera file [s]
+  explicit TimeTaker(double depth_time_offset) : depth_time_offset_(depth_time_offset) {}
+
   void add(const SourceFrame& frame) {
     if (frames_++ == 0) {
       times_.first = frame.timestamp;
@@ -41,7 +44,7 @@ class TimeTaker {
       ++times_.backwards;
     }
     times_.last = std::max(frames_ == 1 ? frame.timestamp : times_.last, frame.timestamp);
-    offsets_.push_back(frame.depth_timestamp - frame.timestamp);
+    offsets_.push_back(frame.depth_timestamp + depth_time_offset_ - frame.timestamp);
   }
 
   SurveyTimes result() {
@@ -61,6 +64,7 @@ class TimeTaker {
   }
 
  private:
+  double depth_time_offset_;
   SurveyTimes times_;
   int frames_ = 0;
   std::vector<double> intervals_, starts_, offsets_;
@@ -156,7 +160,7 @@ InputSurvey survey_input(FrameSource& source, const std::optional<RgbdCameras>& 
   survey.cameras = cameras ? cameras : source.cameras();
   survey.camera_hint = source.camera_hint();
   survey.truth_where = source.truth_where();
-  TimeTaker times;
+  TimeTaker times(survey.cameras ? survey.cameras->depth_time_offset : 0);
   ImageTaker images(survey.cameras);
   constexpr int kUsualLength =
       3000;  // [frames] where the length is not known: a longer one is sampled more often

@@ -20,8 +20,9 @@ struct SurveyTimes {
   int gaps = 0;                        ///< intervals of 2.5 times the median and more
   double longest_gap = 0, gap_at = 0;  ///< [s], and the time before it
   int backwards = 0;                   ///< frames that are not later than the one before
-  double depth_offset = 0;             ///< median time of depth minus time of colour [s]
-  double depth_offset_spread = 0;      ///< 95 % of them differ from that by no more [s]
+  /// Median time of depth minus time of colour [s]: what is left after the cameras' depth_time_offset.
+  double depth_offset = 0;
+  double depth_offset_spread = 0;  ///< 95 % of them differ from that by no more [s]
 
   double duration() const { return last - first; }
   double rate() const { return interval > 0 ? 1 / interval : 0; }

@@ -142,6 +142,17 @@ TEST(InputSurvey, SeesOddTimes) {
   EXPECT_TRUE(any_with(warnings, "depth is always 33 ms later than colour")) << joined(warnings);
 }
 
+TEST(InputSurvey, TellsWhatIsLeftOfTheOffsetThatTheCameraFileKnows) {
+  MadeUpSource source;
+  source.times = regular(20);
+  source.depth_offset = -0.015;
+  RgbdCameras cameras{source.camera, {}};
+  cameras.depth_time_offset = 0.013;
+  const InputSurvey survey = survey_input(source, cameras, 5, [](int) {});
+  EXPECT_NEAR(survey.times.depth_offset, -0.002, 1e-9);
+  EXPECT_FALSE(any_with(survey_warnings(survey), "than colour")) << joined(survey_warnings(survey));
+}
+
 TEST(InputSurvey, SeesWrongUnitsAndCameras) {
   MadeUpSource source;
   source.times = regular(20);
