@@ -120,7 +120,7 @@ class Decoder {
 
  private:
   exr_context_t context_;
-  exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
+  exr_decode_pipeline_t pipeline_ = {};  // as EXR_DECODE_PIPELINE_INITIALIZER, of which clang warns
   bool ready_ = false;
 };
 
