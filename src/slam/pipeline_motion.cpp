@@ -86,6 +86,9 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
   observed.trusted = result.status == TrackingStatus::ok;
   if (has_pose(result.status)) {
     observed.missing = tracker_.missing();
+    observed.features = frame.features;
+    observed.measurements = frame.measurements;
+    observed.dynamic = frame.dynamic;
     for (int i = 0; i < frame.features->size(); ++i) {
       const Keypoint& keypoint = frame.features->keypoint(i);
       if (frame.dynamic[i] != 0) observed.moving.emplace_back(keypoint.x, keypoint.y);

@@ -25,4 +25,13 @@ namespace stdc {
 std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
                                              const std::vector<FrameMatch>& inliers);
 
+/// Finds groups of matches that contradict a pose found without them. Unlike above, the more they contradict
+/// it the less they count, however many they are: for matches to what entered the map last.
+/// @param frame       its pose and measurements
+/// @param covariance  of that pose
+/// @returns per match 1 if it belongs to such a group
+std::vector<std::uint8_t> find_contradicting_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                                    const Matrix6d& covariance,
+                                                    const std::vector<FrameMatch>& matches);
+
 }  // namespace stdc

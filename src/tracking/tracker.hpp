@@ -62,6 +62,9 @@ class Tracker {
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
   std::vector<FrameMatch> drop_moving_groups(TrackedFrame& frame, std::vector<FrameMatch> inliers) const;
+  std::vector<FrameMatch> drop_young_groups(TrackedFrame& frame, const LocalMap& local_map,
+                                            const std::vector<FrameMatch>& matches,
+                                            std::vector<FrameMatch> inliers) const;
   PosePrior motion_prior(const TrackedFrame& frame) const;
   void count(const LocalMap& local_map, const std::vector<int>& visible,
              const std::vector<FrameMatch>& inliers);
