@@ -10,7 +10,7 @@ namespace stdc {
 namespace {
 
 constexpr std::array<double, 3> kLags = {0.06, 0.13, 0.33};  // [s] between frames that are compared
-constexpr int kMaxDistance = 64;                            // [bits] of the descriptors
+constexpr int kMaxDistance = 64;                             // [bits] of the descriptors
 
 /// A keypoint that was found again elsewhere than a thing at rest would be.
 struct Step {
@@ -109,8 +109,7 @@ std::vector<PointMotion> FollowedPoints::add(PointFrame frame) {
     last = i;
     const PointFrame& earlier = frames_[i - 1];
     const Pose now_from_earlier = frame.cam_from_world * earlier.cam_from_world.inverse();
-    const double tolerated =
-        tolerance_px(camera_, now_from_earlier, frame.timestamp - earlier.timestamp);
+    const double tolerated = tolerance_px(camera_, now_from_earlier, frame.timestamp - earlier.timestamp);
     Comparison found;
     for (int k = 0; k < earlier.features->size(); ++k)
       compare_point(camera_, earlier, k, frame, now_from_earlier, tolerated, found);
@@ -124,7 +123,8 @@ std::vector<PointMotion> FollowedPoints::add(PointFrame frame) {
   const auto resting = std::count(motion.begin(), motion.end(), PointMotion::rests);
   if (moving > resting) std::fill(motion.begin(), motion.end(), PointMotion::unknown);
   frames_.push_back(std::move(frame));
-  while (frames_.size() > 1 && frames_.back().timestamp - frames_[1].timestamp > kLags.back()) frames_.pop_front();
+  while (frames_.size() > 1 && frames_.back().timestamp - frames_[1].timestamp > kLags.back())
+    frames_.pop_front();
   return motion;
 }
 

@@ -30,17 +30,17 @@ struct PointFrame {
 enum class PointMotion : std::uint8_t { unknown, rests, moves };
 
 /// Compares the keypoints of a frame with those of frames a moment ago. Each has a depth, so that where it
-/// would be now if it rested follows from the motion of the camera. Those that are there rest; neighbours that
-/// are all elsewhere, by the same step in space, move. Other than the depth of surfaces, this tells of a thing
-/// that has been in view as long as what is behind it, or moves along itself.
+/// would be now if it rested follows from the motion of the camera. Those that are there rest; neighbours
+/// that are all elsewhere, by the same step in space, move. Other than the depth of surfaces, this tells of a
+/// thing that has been in view as long as what is behind it, or moves along itself.
 class FollowedPoints {
  public:
   explicit FollowedPoints(const Camera& camera) : camera_(camera) {}
 
   /// Keyframes may have moved.
   void follow(const AtlasSnapshot& snapshot);
-  /// The next frame. @returns of each of its keypoints; all unknown if more moves than rests: then it may well
-  /// be the pose that is wrong
+  /// The next frame. @returns of each of its keypoints; all unknown if more moves than rests: then it may
+  /// well be the pose that is wrong
   std::vector<PointMotion> add(PointFrame frame);
   /// The camera was lost.
   void reset() { frames_.clear(); }

@@ -31,12 +31,12 @@ struct MotionFrame {
   Pose frame_from_reference;           ///< ...and where it is relative to that
   MapId map;
   bool is_keyframe = false;
-  std::vector<MissingLandmark> missing;  ///< landmarks that should have been seen
-  std::vector<Eigen::Vector2f> moving;   ///< raw pixels of keypoints that were found to move
+  std::vector<MissingLandmark> missing;           ///< landmarks that should have been seen
+  std::vector<Eigen::Vector2f> moving;            ///< raw pixels of keypoints that were found to move
   std::shared_ptr<const FrameFeatures> features;  ///< null: there are none
   std::vector<Measurement> measurements;          ///< of each of its keypoints
   std::vector<std::uint8_t> dynamic;              ///< of each: 1 if it was found to move, as in `moving`
-  cv::Mat segmented;                     ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
+  cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
 };
 
 /// How far a pose agrees with what is known of the static scene; see MotionReport.

@@ -33,8 +33,8 @@ std::vector<PointMotion> cells_around_points(const FrameFeatures& features,
       for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
         if (x + dx < 0 || y + dy < 0 || x + dx >= geometry.width() || y + dy >= geometry.height()) continue;
         const std::size_t other = geometry.index(x + dx, y + dy);
-        const bool linked = grid.depth[other] != 0 &&
-                            std::abs(grid.depth[other] - depth) < kJoint + kJointGrowth * depth;
+        const bool linked =
+            grid.depth[other] != 0 && std::abs(grid.depth[other] - depth) < kJoint + kJointGrowth * depth;
         if (!linked || cells[other] != PointMotion::unknown) continue;
         cells[other] = cells[static_cast<std::size_t>(cell)];
         next.push_back(static_cast<int>(other));

@@ -62,6 +62,13 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   }
   if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
   if (!motion_) return;
+  // While something large moves, what entered the map last may be a part of it.
+  constexpr double kLarge = 0.2;
+  if (frame.old_information && result.motion->dynamic_share > kLarge) {
+    const Matrix6d old = TrackedFrame::covariance(*frame.old_information, settings_.tracking);
+    if (std::sqrt(old.diagonal().head<3>().maxCoeff()) > 0.5 * settings_.tracking.max_position_sigma)
+      result.status = TrackingStatus::uncertain;
+  }
   // Just found again, the camera may be some centimetres off as long as most matches contradict its pose.
   constexpr double kAgreeing = 0.25;
   settled_ = settled_ || frame.inliers >= kAgreeing * frame.matches;

@@ -35,7 +35,6 @@ class Walk {
   std::vector<TrackingResult> results;
   std::vector<int> places;  ///< of the frames that are ok
 
-
  private:
   std::vector<int> all_places_;
   static Settings small(Settings settings);

@@ -137,13 +137,13 @@ std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const Tr
   return moving;
 }
 
-std::vector<std::uint8_t> find_contradicting_groups(const SensorModel& sensor, const TrackedFrame& frame,
-                                                    const Matrix6d& covariance,
-                                                    const std::vector<FrameMatch>& matches) {
+std::vector<Contradiction> find_contradicting_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                                     const Matrix6d& covariance,
+                                                     const std::vector<FrameMatch>& matches) {
   constexpr std::size_t kMinSize = 5;
   constexpr double kMinShift = 1.2, kMapError = 0.45, kSpread = 0.7;  // [px]
-  constexpr double kGate = 13.8;                                      // chi-square, 2 degrees, 99.9 %
-  std::vector<std::uint8_t> contradicting(matches.size(), 0);
+  constexpr double kLikely = 6.0, kSure = 13.8;                       // chi-square, 2 degrees: 95 %, 99.9 %
+  std::vector<Contradiction> contradicting(matches.size(), Contradiction::none);
   const std::vector<Term> terms = make_terms(sensor, frame, matches);
   const double blur = motion_blur(sensor, frame);
   for_groups(sensor.camera, terms, [&](const std::vector<const Term*>& group) {
@@ -163,12 +163,17 @@ std::vector<std::uint8_t> find_contradicting_groups(const SensorModel& sensor, c
     };
     const Eigen::Vector2d shift(middle(x), middle(y));
     const Matrix36d jacobian = jacobian_at(sensor.camera, centre);
-    // Twice: they were put into the map from a pose that was known no better.
-    Eigen::Matrix2d expected = 2 * (jacobian * covariance * jacobian.transpose()).topLeftCorner<2, 2>();
+    // More: they were put into the map from a pose that was not known exactly either.
+    Eigen::Matrix2d expected = 1.3 * (jacobian * covariance * jacobian.transpose()).topLeftCorner<2, 2>();
     const double common = kMapError + blur;
     expected.diagonal().array() += common * common + kSpread * kSpread / static_cast<double>(group.size());
-    if (shift.norm() < kMinShift + 2 * blur || shift.dot(expected.inverse() * shift) < kGate) return;
-    for (const Term* term : group) contradicting[static_cast<std::size_t>(term->match)] = 1;
+    const double distance = shift.dot(expected.inverse() * shift);
+    if (shift.norm() < kMinShift + 2 * blur || distance < kLikely) return;
+    const Contradiction degree = distance < kSure ? Contradiction::likely : Contradiction::sure;
+    for (const Term* term : group) {
+      Contradiction& known = contradicting[static_cast<std::size_t>(term->match)];
+      known = std::max(known, degree);
+    }
   });
   return contradicting;
 }

@@ -62,6 +62,8 @@ class Tracker {
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
   std::vector<FrameMatch> drop_moving_groups(TrackedFrame& frame, std::vector<FrameMatch> inliers) const;
+  void align_refused(const LocalMap& local_map, const std::vector<FrameMatch>& matches,
+                     const std::vector<FrameMatch>& inliers, TrackedFrame& frame) const;
   std::vector<FrameMatch> drop_young_groups(TrackedFrame& frame, const LocalMap& local_map,
                                             const std::vector<FrameMatch>& matches,
                                             std::vector<FrameMatch> inliers) const;
