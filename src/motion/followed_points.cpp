@@ -26,9 +26,10 @@ struct Comparison {
 
 /// How far off a thing at rest may be found: blur and the rolling shutter count while the camera turns.
 double tolerance_px(const Camera& camera, const Pose& now_from_earlier, double elapsed) {
-  constexpr double kStill = 2.5, kTimeError = 0.004;  // [px], [s]
+  constexpr double kStill = 2.5;  // [px]
+  const double time_error = 0.003 + 0.45 * camera.readout_time;  // [s]
   const double rate = now_from_earlier.log().tail<3>().norm() / elapsed;
-  return kStill * camera.width / 640 + 0.5 + camera.fx * kTimeError * rate;
+  return kStill * camera.width / 640 + 0.5 + camera.fx * time_error * rate;
 }
 
 void compare_point(const Camera& camera, const PointFrame& earlier, int i, const PointFrame& now,
@@ -98,14 +99,14 @@ void FollowedPoints::follow(const AtlasSnapshot& snapshot) {
   }
 }
 
-std::vector<PointMotion> FollowedPoints::add(PointFrame frame) {
+std::vector<PointMotion> FollowedPoints::add(PointFrame frame, bool compare) {
   std::vector<PointMotion> motion(frame.measurements.size(), PointMotion::unknown);
   if (!frames_.empty() && frames_.back().map != frame.map) frames_.clear();
   std::size_t last = frames_.size();
   for (const double lag : kLags) {
     std::size_t i = frames_.size();
     while (i > 0 && frame.timestamp - frames_[i - 1].timestamp < lag - 1e-3) --i;
-    if (i == 0 || i == last) continue;
+    if (i == 0 || i == last || !compare) continue;
     last = i;
     const PointFrame& earlier = frames_[i - 1];
     const Pose now_from_earlier = frame.cam_from_world * earlier.cam_from_world.inverse();

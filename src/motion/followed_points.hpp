@@ -39,9 +39,11 @@ class FollowedPoints {
 
   /// Keyframes may have moved.
   void follow(const AtlasSnapshot& snapshot);
-  /// The next frame. @returns of each of its keypoints; all unknown if more moves than rests: then it may
+  /// The next frame.
+  /// @param compare  false: only for later frames to be compared with
+  /// @returns of each of its keypoints; all unknown if not compared, or if more moves than rests: then it may
   /// well be the pose that is wrong
-  std::vector<PointMotion> add(PointFrame frame);
+  std::vector<PointMotion> add(PointFrame frame, bool compare = true);
   /// The camera was lost.
   void reset() { frames_.clear(); }
 

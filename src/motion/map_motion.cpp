@@ -95,7 +95,9 @@ std::vector<std::uint8_t> MapMotion::find_moving_points(const MotionFrame& input
   if (!input.features) return moved;
   std::vector<PointMotion> motion =
       points_.add({input.timestamp, input.reference, input.frame_from_reference, *input.cam_from_world,
-                   input.map, input.features, input.measurements});
+                   input.map, input.features, input.measurements},
+                  input.wary);
+  if (!input.wary) return moved;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (input.dynamic[i] != 0) motion[i] = PointMotion::moves;
   }

@@ -31,6 +31,7 @@ struct MotionFrame {
   Pose frame_from_reference;           ///< ...and where it is relative to that
   MapId map;
   bool is_keyframe = false;
+  bool wary = false;                              ///< something was found to move a moment ago
   std::vector<MissingLandmark> missing;           ///< landmarks that should have been seen
   std::vector<Eigen::Vector2f> moving;            ///< raw pixels of keypoints that were found to move
   std::shared_ptr<const FrameFeatures> features;  ///< null: there are none

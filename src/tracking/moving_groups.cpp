@@ -145,7 +145,8 @@ std::vector<Contradiction> find_contradicting_groups(const SensorModel& sensor, 
   constexpr double kLikely = 6.0, kSure = 13.8;                       // chi-square, 2 degrees: 95 %, 99.9 %
   std::vector<Contradiction> contradicting(matches.size(), Contradiction::none);
   const std::vector<Term> terms = make_terms(sensor, frame, matches);
-  const double blur = motion_blur(sensor, frame);
+  // Wider than above: in a fast turn the pose that older landmarks give is the one that suffers most.
+  const double blur = 3 * motion_blur(sensor, frame);
   for_groups(sensor.camera, terms, [&](const std::vector<const Term*>& group) {
     if (group.size() < kMinSize) return;
     // The middle one: some of the matches are wrong.

@@ -102,7 +102,8 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   // corners.
   align_matches(estimator_.sensor, local_map, inliers, frame);
   inliers = optimise(frame, std::move(inliers));
-  if (settings_.moving_groups) inliers = drop_young_groups(frame, local_map, matches, std::move(inliers));
+  if (settings_.moving_groups && wary_)
+    inliers = drop_young_groups(frame, local_map, matches, std::move(inliers));
   if (settings_.moving_groups) inliers = drop_moving_groups(frame, std::move(inliers));
   if (last_ && frame.motion.readout_time != 0) {
     frame.set_motion(camera(), velocity_to(frame));

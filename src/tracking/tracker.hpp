@@ -41,6 +41,8 @@ class Tracker {
   void clear_last();
   /// Nothing that moves in the last frame is to be followed. `mask`: raw pixels, CV_8UC1, not 0 = dynamic.
   void forget_dynamic(const cv::Mat& mask);
+  /// Something was found to move a moment ago: what has just entered the map may move as well.
+  void set_wary(bool wary) { wary_ = wary; }
   bool has_last() const { return last_.has_value(); }
   const TrackedFrame& last() const { return *last_; }
   /// How the camera has moved since the last frame if it kept its velocity, frame_from_last; nothing after a
@@ -88,6 +90,7 @@ class Tracker {
   Pose last_from_reference_;
   Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
   bool velocity_known_ = false;
+  bool wary_ = false;
   std::vector<Count> counts_;
   std::vector<MissingLandmark> missing_;
 };
