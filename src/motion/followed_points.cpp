@@ -26,7 +26,7 @@ struct Comparison {
 
 /// How far off a thing at rest may be found: blur and the rolling shutter count while the camera turns.
 double tolerance_px(const Camera& camera, const Pose& now_from_earlier, double elapsed) {
-  constexpr double kStill = 2.5;  // [px]
+  constexpr double kStill = 2.5;                                 // [px]
   const double time_error = 0.003 + 0.45 * camera.readout_time;  // [s]
   const double rate = now_from_earlier.log().tail<3>().norm() / elapsed;
   return kStill * camera.width / 640 + 0.5 + camera.fx * time_error * rate;
