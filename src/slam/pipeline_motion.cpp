@@ -37,7 +37,7 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
       result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
       covered_ = result.motion->dynamic_share > kCovered;
       moving_ = moving;
-      constexpr double kLarge = 0.05;
+      constexpr double kLarge = 0.10;
       const cv::Mat unknown = segmented_.empty() ? moving : cv::Mat(moving & ~segmented_);
       if (cv::countNonZero(unknown) > kLarge * static_cast<double>(moving.total())) last_mover_ = last_time_;
       mask = mask.empty() ? moving : cv::Mat(mask | moving);
@@ -52,8 +52,8 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
 /// Whether something that no segmenter knows of moved within the last second. Only then is what has just come
 /// in suspected: in a room at rest the errors of a hand-held camera would look like motion.
 bool Pipeline::is_wary() const {
-  constexpr double kMemory = 1;  // [s]
-  return last_mover_ && *last_time_ - *last_mover_ <= kMemory;
+  constexpr double kMemory = 1, kYoung = 3;  // [s]
+  return last_mover_ && *last_time_ - *last_mover_ <= kMemory && *last_time_ - map_began_ < kYoung;
 }
 
 /// Whether a pose may be called right: the matches must determine it, and most of what is known of the static
@@ -74,7 +74,7 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
   if (!motion_) return;
   // While a map begins and something large moves, what entered the map last may be a part of it.
-  constexpr double kMuch = 0.35;
+  constexpr double kMuch = 0.6;
   constexpr double kYoung = 3;  // [s]
   if (frame.old_information && frame.timestamp - map_began_ < kYoung &&
       result.motion->dynamic_share > kMuch) {
