@@ -6,6 +6,7 @@
 
 #include "motion/cell_mask.hpp"
 #include "motion/covered_holes.hpp"
+#include "motion/point_cells.hpp"
 #include "motion/resting_surfaces.hpp"
 #include "segmentation/propagation/propagation_frame.hpp"
 #include "segmentation/propagation/tile_map.hpp"
@@ -17,8 +18,14 @@ MapMotion::MapMotion(const Camera& camera, const MotionSettings& settings)
       settings_(settings),
       geometry_(camera),
       scene_(geometry_, settings_),
-      belief_(geometry_, settings_) {
+      belief_(geometry_, settings_),
+      points_(camera) {
   check_ranges("motion", settings_);
+}
+
+void MapMotion::follow(const AtlasSnapshot& snapshot) {
+  scene_.follow(snapshot);
+  points_.follow(snapshot);
 }
 
 std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const SmallFrame& small,
@@ -53,6 +60,9 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     if (recent_.size() >= kLag) scene_.find_receding(recent_[recent_.size() - kLag], frame, findings);
     belief_.add(findings);
     belief_.add_opinion(cells_of(input.moving), 2);
+    const std::vector<std::uint8_t> moved = find_moving_points(input, frame.grid);
+    belief_.add_opinion(moved, 2);
+    scene_.doubt(frame, moved);
     belief_.add_opinion(segmented, 2, true);
     belief_.smooth(frame.grid);
     const std::vector<std::uint8_t> covered = find_covered_holes(scene_, geometry_, frame);
@@ -72,10 +82,29 @@ std::vector<LandmarkId> MapMotion::observe(const MotionFrame& input, const Small
     // Once the camera is found again, what was believed may be long out of date.
     recent_.clear();
     belief_.reset();
+    points_.reset();
     resting_.clear();
   }
   last_ = std::move(frame);
   return gone;
+}
+
+/// The cells around keypoints that have moved.
+std::vector<std::uint8_t> MapMotion::find_moving_points(const MotionFrame& input, const DepthGrid& grid) {
+  std::vector<std::uint8_t> moved(grid.depth.size(), 0);
+  if (!input.features) return moved;
+  std::vector<PointMotion> motion =
+      points_.add({input.timestamp, input.reference, input.frame_from_reference, *input.cam_from_world,
+                   input.map, input.features, input.measurements},
+                  input.wary);
+  if (!input.wary) return moved;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (input.dynamic[i] != 0) motion[i] = PointMotion::moves;
+  }
+  if (std::find(motion.begin(), motion.end(), PointMotion::moves) == motion.end()) return moved;
+  const std::vector<PointMotion> cells = cells_around_points(*input.features, motion, geometry_, grid);
+  for (std::size_t i = 0; i < cells.size(); ++i) moved[i] = cells[i] == PointMotion::moves ? 1 : 0;
+  return moved;
 }
 
 /// What stands still at present, if enough has been seen to tell. A segmenter's people move even so.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "motion/followed_points.hpp"
 #include "motion/motion_belief.hpp"
 #include "motion/motion_detector.hpp"
 #include "motion/static_scene.hpp"
@@ -18,7 +19,7 @@ class MapMotion : public MotionDetector {
  public:
   MapMotion(const Camera& camera, const MotionSettings& settings);
 
-  void follow(const AtlasSnapshot& snapshot) override { scene_.follow(snapshot); }
+  void follow(const AtlasSnapshot& snapshot) override;
   std::vector<LandmarkId> observe(const MotionFrame& frame, const SmallFrame& small,
                                   const std::vector<MaskTile>& tiles) override;
   std::optional<PoseAgreement> agreement(const Pose& cam_from_world, MapId map, const SmallFrame& small,
@@ -33,6 +34,7 @@ class MapMotion : public MotionDetector {
   std::vector<CellSource> sources(const std::vector<MaskTile>& tiles) const;
   std::vector<std::uint8_t> cells_of(const std::vector<Eigen::Vector2f>& pixels) const;
   std::vector<std::uint8_t> inner_cells(std::vector<std::uint8_t> cells, const DepthGrid& grid) const;
+  std::vector<std::uint8_t> find_moving_points(const MotionFrame& input, const DepthGrid& grid);
   std::vector<std::uint8_t> moving_cells() const;
   std::vector<LandmarkId> find_gone(const SceneFrame& frame,
                                     const std::vector<MissingLandmark>& missing) const;
@@ -46,6 +48,7 @@ class MapMotion : public MotionDetector {
   GridGeometry geometry_;
   StaticScene scene_;
   MotionBelief belief_;
+  FollowedPoints points_;
   static constexpr std::size_t kLag = 5;  ///< [frames] between those compared for what recedes
   static constexpr double kYoung = 3;     ///< [s] in which a map begins
   static constexpr double kPause = 0.5;   ///< [s] after which a thing that has stopped is seen to stand

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
 
 #include "atlas/atlas_snapshot.hpp"
+#include "atlas/keyframe.hpp"
 #include "atlas/missing_landmark.hpp"
 #include "core/camera.hpp"
 #include "core/camera_motion.hpp"
 #include "core/ids.hpp"
 #include "core/pose.hpp"
+#include "features/frame_features.hpp"
 #include "segmentation/propagation/mask_tiles.hpp"
 #include "segmentation/propagation/propagation_frame.hpp"
 
@@ -28,9 +31,13 @@ struct MotionFrame {
   Pose frame_from_reference;           ///< ...and where it is relative to that
   MapId map;
   bool is_keyframe = false;
-  std::vector<MissingLandmark> missing;  ///< landmarks that should have been seen
-  std::vector<Eigen::Vector2f> moving;   ///< raw pixels of keypoints that were found to move
-  cv::Mat segmented;                     ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
+  bool wary = false;                              ///< something was found to move a moment ago
+  std::vector<MissingLandmark> missing;           ///< landmarks that should have been seen
+  std::vector<Eigen::Vector2f> moving;            ///< raw pixels of keypoints that were found to move
+  std::shared_ptr<const FrameFeatures> features;  ///< null: there are none
+  std::vector<Measurement> measurements;          ///< of each of its keypoints
+  std::vector<std::uint8_t> dynamic;              ///< of each: 1 if it was found to move, as in `moving`
+  cv::Mat segmented;  ///< mask of a segmenter, CV_8UC1, not 0 = dynamic; empty: none
 };
 
 /// How far a pose agrees with what is known of the static scene; see MotionReport.

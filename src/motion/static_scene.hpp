@@ -69,6 +69,9 @@ class StaticScene {
                      std::vector<CellFinding>& findings) const;
   /// Surfaces of the chosen views that the frame sees again have rested longer; those it looks through go.
   void learn(const SceneFrame& frame);
+  /// Surfaces of a frame that were found to move are on probation in the chosen views that know them, unless
+  /// they had rested for long: they moved when the view was made, too. `moved`: of each cell, 1 = it does.
+  void doubt(const SceneFrame& frame, const std::vector<std::uint8_t>& moved);
   /// A depth of a frame at a cell.
   struct Sample {
     int column = 0, row = 0;

@@ -1,5 +1,6 @@
 // What StaticScene learns about its views from later frames.
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "motion/grid_projection.hpp"
@@ -9,6 +10,25 @@ namespace stdc {
 
 void StaticScene::learn(const SceneFrame& frame) {
   for (const std::size_t index : chosen_) learn_from(frame, views_[index]);
+}
+
+void StaticScene::doubt(const SceneFrame& frame, const std::vector<std::uint8_t>& moved) {
+  for (const std::size_t index : chosen_) {
+    SceneView& view = views_[index];
+    const GridProjection project(view.view_from_world * frame.cam_from_world.inverse(), geometry_);
+    for_cells(geometry_, 1, [&](int cell, int x, int y) {
+      const float depth = frame.grid.depth[static_cast<std::size_t>(cell)];
+      if (depth == 0 || moved[static_cast<std::size_t>(cell)] == 0) return;
+      float there = 0;
+      const int seen = project.cell(x, y, depth, there);
+      if (seen < 0) return;
+      const auto i = static_cast<std::size_t>(seen);
+      if (std::abs(view.grid.depth[i] - there) > tolerance(there)) return;
+      if (view.rest[i] >= static_cast<float>(settings_.rest_time)) return;
+      view.doubtful[i] = 1;
+      view.rest[i] = 0;
+    });
+  }
 }
 
 void StaticScene::learn_from(const SceneFrame& frame, SceneView& view) {

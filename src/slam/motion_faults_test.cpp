@@ -3,50 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <opencv2/imgproc.hpp>
 
-#include "core/random.hpp"
+#include "slam/test_board.hpp"
 #include "slam/test_walk.hpp"
 
 namespace stdc {
 namespace {
 
+using test::Board;
 using test::Walk;
-
-/// A textured board that faces the camera, pasted into frames with its depth.
-class Board {
- public:
-  /// `contrast`: of the texture, 1 = the whole range; a weak one gives fewer keypoints than the room has.
-  Board(int width, int height, double depth, std::uint64_t seed, double contrast = 1)
-      : depth_(depth), texture_(height, width, CV_8UC3) {
-    Random random(seed);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        for (int c = 0; c < 3; ++c)
-          texture_.at<cv::Vec3b>(y, x)[c] = static_cast<std::uint8_t>(random.below(256));
-      }
-    }
-    cv::GaussianBlur(texture_, texture_, {}, 2);
-    cv::normalize(texture_, texture_, 128 - 128 * contrast, 128 + 127 * contrast, cv::NORM_MINMAX);
-  }
-  /// Its left upper corner at that pixel. What lies nearer stays before it.
-  void paste(RgbdImage& image, int left, int top) const {
-    const double units = test::TestSequence::of_a_room().camera.depth_units_per_metre;
-    const auto depth = static_cast<std::uint16_t>(depth_ * units);
-    for (int y = std::max(top, 0); y < std::min(top + texture_.rows, image.colour.rows); ++y) {
-      for (int x = std::max(left, 0); x < std::min(left + texture_.cols, image.colour.cols); ++x) {
-        std::uint16_t& there = image.depth.at<std::uint16_t>(y, x);
-        if (there != 0 && there < depth) continue;
-        there = depth;
-        image.colour.at<cv::Vec3b>(y, x) = texture_.at<cv::Vec3b>(y - top, x - left);
-      }
-    }
-  }
-
- private:
-  double depth_;
-  cv::Mat texture_;
-};
 
 Settings without_segmentation() {
   Settings settings;

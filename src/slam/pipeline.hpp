@@ -76,6 +76,7 @@ class Pipeline {
     return frame.cam_from_world * local_map_.reference_from_world.inverse();
   }
   void judge(const TrackedFrame& frame, TrackingResult& result);
+  bool is_wary() const;
   void note_gone();
   void observe_motion(const TrackedFrame& frame, const TrackingResult& result);
   void mark_dynamic(TrackedFrame& frame);
@@ -103,12 +104,14 @@ class Pipeline {
   Tracker tracker_;
   Relocaliser relocaliser_;
   LocalMap local_map_;
-  cv::Mat segmented_;           ///< the present frame's mask of the segmenter; empty: none
-  cv::Mat moving_;              ///< what was expected to move in it; empty: nothing
-  SeenFrame seen_;              ///< in the last frame, for drawing
-  bool settled_ = true;         ///< false: most matches have contradicted the pose since the camera was found
-  bool covered_ = false;        ///< most of the view moved when it was last tracked
-  int unsupported_frames_ = 0;  ///< tracked in a row by temporary points alone
+  cv::Mat segmented_;    ///< the present frame's mask of the segmenter; empty: none
+  cv::Mat moving_;       ///< what was expected to move in it; empty: nothing
+  SeenFrame seen_;       ///< in the last frame, for drawing
+  bool settled_ = true;  ///< false: most matches have contradicted the pose since the camera was found
+  std::optional<double> last_mover_;      ///< [s] when something large moved that no segmenter knew
+  double map_began_ = 0;                  ///< [s] the map that was begun last
+  bool covered_ = false;                  ///< most of the view moved when it was last tracked
+  int unsupported_frames_ = 0;            ///< tracked in a row by temporary points alone
   bool landmarks_removed_ = false;        ///< since the snapshot was made
   std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark
   int observed_frame_ = -1;               ///< the last one whose motion was looked for

@@ -39,6 +39,7 @@ bool Pipeline::shows_enough(const TrackedFrame& frame) const {
 bool Pipeline::initialise(TrackedFrame& frame) {
   if (settings_.system.localisation_only || back_end_.has_pending() || !shows_enough(frame)) return false;
   make_keyframe(frame, back_end_.atlas().next_map());
+  map_began_ = frame.timestamp;
   frame.information.setIdentity();
   frame.information *= kOriginInformation;
   frame.matches = frame.inliers = static_cast<int>(std::count_if(

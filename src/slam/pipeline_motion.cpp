@@ -37,12 +37,23 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
       result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
       covered_ = result.motion->dynamic_share > kCovered;
       moving_ = moving;
+      constexpr double kLarge = 0.10;
+      const cv::Mat unknown = segmented_.empty() ? moving : cv::Mat(moving & ~segmented_);
+      if (cv::countNonZero(unknown) > kLarge * static_cast<double>(moving.total())) last_mover_ = last_time_;
       mask = mask.empty() ? moving : cv::Mat(mask | moving);
     }
   }
+  tracker_.set_wary(is_wary());
   result.milliseconds.mask_wait = watch.lap_ms();
   if (!mask.empty()) extractor_.reject(mask);
   result.milliseconds.rejection = watch.lap_ms();
+}
+
+/// Whether something that no segmenter knows of moved within the last second. Only then is what has just come
+/// in suspected: in a room at rest the errors of a hand-held camera would look like motion.
+bool Pipeline::is_wary() const {
+  constexpr double kMemory = 1, kYoung = 3;  // [s]
+  return last_mover_ && *last_time_ - *last_mover_ <= kMemory && *last_time_ - map_began_ < kYoung;
 }
 
 /// Whether a pose may be called right: the matches must determine it, and most of what is known of the static
@@ -62,6 +73,15 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   }
   if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
   if (!motion_) return;
+  // While a map begins and something large moves, what entered the map last may be a part of it.
+  constexpr double kMuch = 0.6;
+  constexpr double kYoung = 3;  // [s]
+  if (frame.old_information && frame.timestamp - map_began_ < kYoung &&
+      result.motion->dynamic_share > kMuch) {
+    const Matrix6d old = TrackedFrame::covariance(*frame.old_information, settings_.tracking);
+    if (std::sqrt(old.diagonal().head<3>().maxCoeff()) > settings_.tracking.max_position_sigma)
+      result.status = TrackingStatus::uncertain;
+  }
   // Just found again, the camera may be some centimetres off as long as most matches contradict its pose.
   constexpr double kAgreeing = 0.25;
   settled_ = settled_ || frame.inliers >= kAgreeing * frame.matches;
@@ -86,6 +106,9 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
   observed.trusted = result.status == TrackingStatus::ok;
   if (has_pose(result.status)) {
     observed.missing = tracker_.missing();
+    observed.features = frame.features;
+    observed.measurements = frame.measurements;
+    observed.dynamic = frame.dynamic;
     for (int i = 0; i < frame.features->size(); ++i) {
       const Keypoint& keypoint = frame.features->keypoint(i);
       if (frame.dynamic[i] != 0) observed.moving.emplace_back(keypoint.x, keypoint.y);
@@ -96,6 +119,7 @@ void Pipeline::observe_motion(const TrackedFrame& frame, const TrackingResult& r
     observed.cam_from_world =
         back_end_.snapshot().cam_from_world(observed.reference, observed.frame_from_reference);
   }
+  observed.wary = is_wary();
   observed_frame_ = frame.index;
   motion_->observe(std::move(observed));
 }

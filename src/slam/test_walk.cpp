@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 namespace stdc::test {
 
@@ -19,6 +20,7 @@ TrackingResult Walk::see(int place, const Change& change) {
   EXPECT_EQ(has_pose(result.status), result.covariance.has_value());
   EXPECT_EQ(has_pose(result.status), result.map.valid());
   if (result.status == TrackingStatus::ok) places.push_back(place);
+  all_places_.push_back(place);
   results.push_back(result);
   return result;
 }
@@ -43,6 +45,30 @@ double Walk::worst_error(MapId map, int origin) {
     const Pose expected = truth[origin].world_from_cam.inverse() * truth[places[i]].world_from_cam;
     worst = std::max(worst, (expected.translation - poses[i].world_from_cam.translation).norm());
   }
+  return worst;
+}
+
+std::vector<double> Walk::live_errors() const {
+  const auto& truth = TestSequence::of_a_room().frames;
+  std::vector<double> errors;
+  std::map<MapId, int> origins;  // of the maps, as places
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const TrackingResult& result = results[i];
+    errors.push_back(-1);
+    if (!result.cam_from_world) continue;
+    const int place = all_places_[i], origin = origins.emplace(result.map, place).first->second;
+    const Pose expected = truth[origin].world_from_cam.inverse() * truth[place].world_from_cam;
+    errors.back() = (expected.translation - result.cam_from_world->inverse().translation).norm();
+  }
+  return errors;
+}
+
+double Walk::worst_error_of_all() {
+  std::map<MapId, int> origins;
+  std::size_t i = 0;
+  for (const FramePose& pose : slam.trajectory()) origins.emplace(pose.map, places[i++]);
+  double worst = 0;
+  for (const auto& [map, origin] : origins) worst = std::max(worst, worst_error(map, origin));
   return worst;
 }
 

@@ -52,7 +52,7 @@ class Copier {
     int& view = view_index_[oldest.keyframe.value];
     if (view < 0) {
       view = static_cast<int>(reference_views.size());
-      reference_views.push_back({keyframe.features, keyframe.cam_from_world});
+      reference_views.push_back({keyframe.features, keyframe.cam_from_world, keyframe.timestamp});
     }
     LocalLandmark local;
     static_cast<LandmarkGeometry&>(local) = landmark;

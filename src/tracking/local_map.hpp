@@ -27,6 +27,7 @@ struct LocalLandmark : LandmarkGeometry {
 struct LocalReferenceView {
   std::shared_ptr<const FrameFeatures> features;
   Pose cam_from_world;
+  double timestamp = 0;  ///< [s]
 };
 
 /// The part of the map around the camera, copied out, so that the tracker can go on while the mapper changes

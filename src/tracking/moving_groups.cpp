@@ -86,22 +86,27 @@ bool contradicts(const Camera& camera, const Matrix6d& information, double blur,
   return shift.norm() > kMinShift + 2 * blur && shift.dot(expected.inverse() * shift) > kGate;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
-                                             const std::vector<FrameMatch>& inliers) {
-  std::vector<std::uint8_t> moving(inliers.size(), 0);
-  if (!(frame.information.diagonal().minCoeff() > 0)) return moving;
+std::vector<Term> make_terms(const SensorModel& sensor, const TrackedFrame& frame,
+                             const std::vector<FrameMatch>& matches) {
   std::vector<Term> terms;
-  for (int i = 0; i < static_cast<int>(inliers.size()); ++i) {
-    terms.push_back(make_term(sensor, frame, inliers[static_cast<std::size_t>(i)], i));
+  for (int i = 0; i < static_cast<int>(matches.size()); ++i) {
+    terms.push_back(make_term(sensor, frame, matches[static_cast<std::size_t>(i)], i));
     if (!(terms.back().point.z() > 0.05)) terms.pop_back();
   }
+  return terms;
+}
+
+/// Errors that the motion of the camera adds to a whole group [px].
+double motion_blur(const SensorModel& sensor, const TrackedFrame& frame) {
   const double time_error = 0.001 + 0.15 * sensor.camera.readout_time;  // [s] of a row against the pose
-  const double blur = sensor.camera.fx * time_error * frame.motion.twist.tail<3>().norm();
-  // Overlapping squares and ranges of depth, so that most things lie within one.
+  return sensor.camera.fx * time_error * frame.motion.twist.tail<3>().norm();
+}
+
+/// Overlapping squares and ranges of depth, so that most things lie within one.
+template <typename Visit>
+void for_groups(const Camera& camera, const std::vector<Term>& terms, Visit&& visit) {
   constexpr double kColumns = 4, kDepthStep = 0.3;  // depth by its logarithm
-  const double side = static_cast<double>(sensor.camera.width) / kColumns;
+  const double side = static_cast<double>(camera.width) / kColumns;
   for (int variant = 0; variant < 8; ++variant) {
     const double dx = (variant & 1) * 0.5, dy = ((variant >> 1) & 1) * 0.5, dz = (variant >> 2) * 0.5;
     std::map<std::array<int, 3>, std::vector<const Term*>> groups;
@@ -111,14 +116,67 @@ std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const Tr
               static_cast<int>(std::floor(std::log(term.point.z()) / kDepthStep + dz))}]
           .push_back(&term);
     }
-    for (const auto& [key, group] : groups) {
-      if (!contradicts(sensor.camera, frame.information, blur, group)) continue;
-      for (const Term* term : group) moving[static_cast<std::size_t>(term->match)] = 1;
-    }
+    for (const auto& [key, group] : groups) visit(group);
   }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                             const std::vector<FrameMatch>& inliers) {
+  std::vector<std::uint8_t> moving(inliers.size(), 0);
+  if (!(frame.information.diagonal().minCoeff() > 0)) return moving;
+  const std::vector<Term> terms = make_terms(sensor, frame, inliers);
+  const double blur = motion_blur(sensor, frame);
+  for_groups(sensor.camera, terms, [&](const std::vector<const Term*>& group) {
+    if (!contradicts(sensor.camera, frame.information, blur, group)) return;
+    for (const Term* term : group) moving[static_cast<std::size_t>(term->match)] = 1;
+  });
   const auto count = std::count(moving.begin(), moving.end(), 1);
   if (2 * static_cast<std::size_t>(count) > inliers.size()) std::fill(moving.begin(), moving.end(), 0);
   return moving;
+}
+
+std::vector<Contradiction> find_contradicting_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                                     const Matrix6d& covariance,
+                                                     const std::vector<FrameMatch>& matches) {
+  constexpr std::size_t kMinSize = 5;
+  constexpr double kMinShift = 1.2, kMapError = 0.45, kSpread = 0.7;  // [px]
+  constexpr double kLikely = 6.0, kSure = 13.8;                       // chi-square, 2 degrees: 95 %, 99.9 %
+  std::vector<Contradiction> contradicting(matches.size(), Contradiction::none);
+  const std::vector<Term> terms = make_terms(sensor, frame, matches);
+  // Wider than above: in a fast turn the pose that older landmarks give is the one that suffers most.
+  const double blur = 3 * motion_blur(sensor, frame);
+  for_groups(sensor.camera, terms, [&](const std::vector<const Term*>& group) {
+    if (group.size() < kMinSize) return;
+    // The middle one: some of the matches are wrong.
+    std::vector<double> x, y;
+    Vector3d centre = Vector3d::Zero();
+    for (const Term* term : group) {
+      x.push_back(term->residual.x());
+      y.push_back(term->residual.y());
+      centre += term->point / static_cast<double>(group.size());
+    }
+    const auto middle = [](std::vector<double>& values) {
+      const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), half, values.end());
+      return *half;
+    };
+    const Eigen::Vector2d shift(middle(x), middle(y));
+    const Matrix36d jacobian = jacobian_at(sensor.camera, centre);
+    // More: they were put into the map from a pose that was not known exactly either.
+    Eigen::Matrix2d expected = 1.3 * (jacobian * covariance * jacobian.transpose()).topLeftCorner<2, 2>();
+    const double common = kMapError + blur;
+    expected.diagonal().array() += common * common + kSpread * kSpread / static_cast<double>(group.size());
+    const double distance = shift.dot(expected.inverse() * shift);
+    if (shift.norm() < kMinShift + 2 * blur || distance < kLikely) return;
+    const Contradiction degree = distance < kSure ? Contradiction::likely : Contradiction::sure;
+    for (const Term* term : group) {
+      Contradiction& known = contradicting[static_cast<std::size_t>(term->match)];
+      known = std::max(known, degree);
+    }
+  });
+  return contradicting;
 }
 
 }  // namespace stdc

@@ -25,4 +25,16 @@ namespace stdc {
 std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
                                              const std::vector<FrameMatch>& inliers);
 
+/// How sure it is that a match belongs to a group that contradicts a pose.
+enum class Contradiction : std::uint8_t { none, likely, sure };
+
+/// Finds groups of matches that contradict a pose found without them. Unlike above, the more they contradict
+/// it the less they count, however many they are: for matches to what entered the map last.
+/// @param frame       its pose and measurements
+/// @param covariance  of that pose
+/// @returns per match whether it belongs to such a group
+std::vector<Contradiction> find_contradicting_groups(const SensorModel& sensor, const TrackedFrame& frame,
+                                                     const Matrix6d& covariance,
+                                                     const std::vector<FrameMatch>& matches);
+
 }  // namespace stdc

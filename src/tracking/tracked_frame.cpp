@@ -5,7 +5,7 @@
 namespace stdc {
 
 /// Nothing is known of a pose that the matches do not determine: a variance of a kilometre squared says so.
-Matrix6d TrackedFrame::covariance(const TrackingSettings& settings) const {
+Matrix6d TrackedFrame::covariance(const Matrix6d& information, const TrackingSettings& settings) {
   constexpr double kUnknown = 1e6;
   Matrix6d result = Matrix6d::Identity() * kUnknown;
   if (!(information.diagonal().minCoeff() > 0)) return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "atlas/keyframe.hpp"
@@ -24,6 +25,8 @@ struct TrackedFrame {
   std::vector<std::uint8_t> outlier;  ///< per keypoint: 1 if it was matched and the optimisation refused it
   std::vector<std::uint8_t> dynamic;  ///< per keypoint: 1 if it lies on something that moves
   Matrix6d information = Matrix6d::Zero();  ///< of the pose, see PoseOptimisationResult
+  /// The same of the landmarks alone that have been in the map for a while; nothing: all of them have.
+  std::optional<Matrix6d> old_information;
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation
                     ///< with the local map
   int inliers = 0;  ///< landmarks that agree with the pose in the end
@@ -44,7 +47,8 @@ struct TrackedFrame {
     dynamic.resize(features->size(), 0);
   }
   /// Of the pose: of its matches and of the map. Left perturbation; translation [m], rotation [rad].
-  Matrix6d covariance(const TrackingSettings& settings) const;
+  Matrix6d covariance(const TrackingSettings& settings) const { return covariance(information, settings); }
+  static Matrix6d covariance(const Matrix6d& information, const TrackingSettings& settings);
   /// Takes another motion out of the measurements. `twist`: of cam_from_world, per second.
   void set_motion(const Camera& camera, const Vector6d& twist) {
     motion = CameraMotion(camera, twist);

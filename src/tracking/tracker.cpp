@@ -1,6 +1,7 @@
 #include "tracking/tracker.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/stopwatch.hpp"
 #include "features/mask.hpp"
@@ -101,6 +102,8 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   // corners.
   align_matches(estimator_.sensor, local_map, inliers, frame);
   inliers = optimise(frame, std::move(inliers));
+  if (settings_.moving_groups && wary_)
+    inliers = drop_young_groups(frame, local_map, matches, std::move(inliers));
   if (settings_.moving_groups) inliers = drop_moving_groups(frame, std::move(inliers));
   if (last_ && frame.motion.readout_time != 0) {
     frame.set_motion(camera(), velocity_to(frame));
@@ -119,6 +122,71 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   count(local_map, visible, inliers);
   note_missing(local_map, visible, matches);
   return static_cast<int>(inliers.size()) >= min_inliers;
+}
+
+namespace {
+
+/// Whether a match is to what entered the map last, by the keyframes since: while the pose is uncertain none
+/// are made, and nothing grows older.
+bool is_young(const LocalMap& local_map, const TrackedFrame& frame, const FrameMatch& match) {
+  constexpr double kYoung = 1;  // [s], or half as long as the map is known here
+  if (match.landmark < 0) return true;
+  double first = frame.timestamp, last = -std::numeric_limits<double>::infinity();
+  for (const LocalReferenceView& view : local_map.reference_views) {
+    if (view.timestamp > frame.timestamp) continue;  // of an earlier run, by another clock
+    first = std::min(first, view.timestamp);
+    last = std::max(last, view.timestamp);
+  }
+  const double born = local_map.reference_views[local_map.landmarks[match.landmark].view].timestamp;
+  return born <= frame.timestamp && last - born < std::min(kYoung, 0.5 * (last - first));
+}
+
+}  // namespace
+
+/// Aligns those of the matches that are not among the inliers.
+void Tracker::align_refused(const LocalMap& local_map, const std::vector<FrameMatch>& matches,
+                            const std::vector<FrameMatch>& inliers, TrackedFrame& frame) const {
+  std::vector<std::uint8_t> agrees(static_cast<std::size_t>(frame.features->size()), 0);
+  for (const FrameMatch& match : inliers) agrees[static_cast<std::size_t>(match.keypoint)] = 1;
+  std::vector<FrameMatch> refused;
+  for (const FrameMatch& match : matches) {
+    if (agrees[static_cast<std::size_t>(match.keypoint)] == 0) refused.push_back(match);
+  }
+  align_matches(estimator_.sensor, local_map, refused, frame);
+}
+
+/// What has just entered the map has not proved to rest, however large it is: the pose that older landmarks
+/// give decides whether it does. Else a thing that came in with the view that the camera turned to, and moves
+/// slowly, takes the pose along as soon as it is in the map.
+std::vector<FrameMatch> Tracker::drop_young_groups(TrackedFrame& frame, const LocalMap& local_map,
+                                                   const std::vector<FrameMatch>& matches,
+                                                   std::vector<FrameMatch> inliers) const {
+  constexpr int kMinOld = 30;
+  std::vector<FrameMatch> old, young;
+  for (const FrameMatch& match : matches) (is_young(local_map, frame, match) ? young : old).push_back(match);
+  if (young.empty()) return inliers;
+  frame.old_information = Matrix6d::Zero();
+  if (static_cast<int>(old.size()) < settings_.min_inliers) return inliers;
+  align_refused(local_map, old, inliers, frame);
+  const PoseOptimisationResult result =
+      estimator_.estimate(make_observations(frame, old), frame.cam_from_world, motion_prior(frame));
+  if (!result.usable || result.inliers < settings_.min_inliers) return inliers;
+  frame.old_information = result.information;
+  if (static_cast<int>(old.size()) < kMinOld || 2 * result.inliers < static_cast<int>(old.size()))
+    return inliers;
+  TrackedFrame alone = frame;
+  alone.cam_from_world = result.cam_from_world;
+  alone.information = result.information;
+  const std::vector<Contradiction> found =
+      find_contradicting_groups(estimator_.sensor, alone, alone.covariance(settings_), young);
+  if (std::all_of(found.begin(), found.end(), [](Contradiction c) { return c == Contradiction::none; }))
+    return inliers;
+  for (std::size_t i = 0; i < young.size(); ++i) {
+    if (found[i] == Contradiction::none) old.push_back(young[i]);
+    if (found[i] == Contradiction::sure) frame.dynamic[young[i].keypoint] = 1;
+  }
+  frame.cam_from_world = result.cam_from_world;
+  return optimise(frame, std::move(old));
 }
 
 /// Takes out what moves, and finds the pose again without it.

@@ -41,6 +41,8 @@ class Tracker {
   void clear_last();
   /// Nothing that moves in the last frame is to be followed. `mask`: raw pixels, CV_8UC1, not 0 = dynamic.
   void forget_dynamic(const cv::Mat& mask);
+  /// Something was found to move a moment ago: what has just entered the map may move as well.
+  void set_wary(bool wary) { wary_ = wary; }
   bool has_last() const { return last_.has_value(); }
   const TrackedFrame& last() const { return *last_; }
   /// How the camera has moved since the last frame if it kept its velocity, frame_from_last; nothing after a
@@ -62,6 +64,11 @@ class Tracker {
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
   std::vector<FrameMatch> drop_moving_groups(TrackedFrame& frame, std::vector<FrameMatch> inliers) const;
+  void align_refused(const LocalMap& local_map, const std::vector<FrameMatch>& matches,
+                     const std::vector<FrameMatch>& inliers, TrackedFrame& frame) const;
+  std::vector<FrameMatch> drop_young_groups(TrackedFrame& frame, const LocalMap& local_map,
+                                            const std::vector<FrameMatch>& matches,
+                                            std::vector<FrameMatch> inliers) const;
   PosePrior motion_prior(const TrackedFrame& frame) const;
   void count(const LocalMap& local_map, const std::vector<int>& visible,
              const std::vector<FrameMatch>& inliers);
@@ -83,6 +90,7 @@ class Tracker {
   Pose last_from_reference_;
   Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
   bool velocity_known_ = false;
+  bool wary_ = false;
   std::vector<Count> counts_;
   std::vector<MissingLandmark> missing_;
 };
