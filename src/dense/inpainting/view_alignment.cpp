@@ -191,10 +191,12 @@ void AlignmentTarget::find_gain(AlignedView& aligned) const {
     if (!at) continue;
     const cv::Point there(static_cast<int>(at->x() + 0.5F), static_cast<int>(at->y() + 0.5F));
     double here[2][3] = {};
-    const bool saturated =
-        add_window(frame_.colour, {pixel.x, pixel.y}, here[0]) | add_window(view.colour, there, here[1]);
+    const bool saturated_here = add_window(frame_.colour, {pixel.x, pixel.y}, here[0]),
+               saturated_there = add_window(view.colour, there, here[1]);
     // Another thing, or a shadow, is not the exposure.
-    if (saturated || here[0][0] > 2 * here[1][0] + 90 || here[1][0] > 2 * here[0][0] + 90) continue;
+    if (saturated_here || saturated_there || here[0][0] > 2 * here[1][0] + 90 ||
+        here[1][0] > 2 * here[0][0] + 90)
+      continue;
     ++count;
     for (int c = 0; c < channels; ++c) sums[0][c] += here[0][c], sums[1][c] += here[1][c];
   }
