@@ -91,9 +91,9 @@ void Ros2Source::work() {
   for (;;) {
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return stop_ || (news_ && has_room()); });
+      changed_.wait(lock, [this] { return stop_ || news_ || (images_wait_ && has_room()); });
       if (stop_) return;
-      news_ = false;
+      news_ = images_wait_ = false;
     }
     while (take_some()) {
     }
@@ -107,9 +107,10 @@ bool Ros2Source::take_some() {
       const std::lock_guard lock(mutex_);
       if (stop_) return false;
       hand_on_pairs();  // those that there was no room for
-      if (!has_room()) {
-        news_ = true;
-        return false;
+      // Only images: what tells of the cameras may come after them, and is waited for.
+      if ((stream == CameraStream::colour || stream == CameraStream::depth) && !has_room()) {
+        images_wait_ = true;
+        continue;
       }
     }
     // Without the lock: the middleware may be holding its own and wait for ours.

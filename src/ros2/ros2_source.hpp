@@ -89,7 +89,7 @@ class Ros2Source : public FrameSource {
   void subscribe(const CameraTopics& topics);
   void work();
   bool has_room() const;
-  /// Takes one message of each topic; false if there was none, or no room.
+  /// Takes one message of each topic; false if there was none, or no room for it.
   bool take_some();
   void add(CameraStream stream, std::vector<std::uint8_t> data);
   void add_image(CameraStream stream, std::vector<std::uint8_t> data);
@@ -105,6 +105,7 @@ class Ros2Source : public FrameSource {
   mutable std::mutex mutex_;  ///< of all that follows, but for the threads
   std::condition_variable changed_;
   bool news_ = false, stop_ = false;
+  bool images_wait_ = false;  ///< in the middleware, for room
   CameraSearch search_;
   bool search_is_over_ = false;
   std::unique_ptr<StampPairing> pairing_;

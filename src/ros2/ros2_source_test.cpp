@@ -118,6 +118,20 @@ TEST_F(Ros2SourceTest, GivesAllFramesInOrderWithTheCameraOfTheInfo) {
   EXPECT_FALSE(source_->can_rewind());
 }
 
+TEST_F(Ros2SourceTest, HearsOfTheCameraWhereImagesHaveNoRoom) {
+  open();
+  constexpr int kRoom = 15, kFrames = 40;
+  std::jthread sending([&] { camera_.send_frames(0, kFrames); });
+  ASSERT_TRUE(eventually([&] { return source_->counts().depth >= kRoom; }));
+  wait_for_cameras();
+  for (int i = 0; i < kFrames - 1; ++i) {
+    const auto frame = source_->next();
+    ASSERT_TRUE(frame.has_value());
+    EXPECT_EQ(source_->stamp_of(frame->timestamp), kStart + i * kPeriod);
+  }
+  EXPECT_EQ(source_->dropped(), 0);
+}
+
 TEST_F(Ros2SourceTest, ReadsBigEndianAsWell) {
   open();
   camera_.send_info(Style::cdr_big);
