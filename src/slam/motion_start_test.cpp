@@ -64,6 +64,7 @@ TEST_P(MotionStart, NoPoseThatIsCalledOkIsWrong) {
 INSTANTIATE_TEST_SUITE_P(Rooms, MotionStart,
                          testing::Values(BusyStart{20, 70, 60, 8, 7, 1.00, 1.20, 1.0, 1, 0, 40},
                                          BusyStart{106, 98, 92, 11, 3, 1.23, 1.18, 1.0, 5, 2, 42},
+                                         BusyStart{112, 143, 55, 11, 12, 1.19, 1.30, 1.0, 1, 80, 40},
                                          BusyStart{119, 150, 96, 10, 8, 0.78, 1.14, 1.0, 0, 43, 83},
                                          BusyStart{123, 145, 137, 10, 3, 1.39, 1.00, 1.0, 3, 55, 95},
                                          BusyStart{129, 133, 129, 10, 8, 0.78, 1.35, 0.4, 3, 66, 106}));

@@ -52,8 +52,8 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
 /// Whether something that no segmenter knows of moved within the last second. Only then is what has just come
 /// in suspected: in a room at rest the errors of a hand-held camera would look like motion.
 bool Pipeline::is_wary() const {
-  constexpr double kMemory = 1, kYoung = 3;  // [s]
-  return last_mover_ && *last_time_ - *last_mover_ <= kMemory && *last_time_ - map_began_ < kYoung;
+  constexpr double kMemory = 1;  // [s]
+  return last_mover_ && *last_time_ - *last_mover_ <= kMemory;
 }
 
 /// Whether a pose may be called right: the matches must determine it, and most of what is known of the static
