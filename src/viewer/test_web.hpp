@@ -47,6 +47,13 @@ class Line {
     }
     return all;
   }
+  /// The head of an answer, and nothing of what follows it.
+  std::string receive_head() const {
+    std::string head;
+    char byte = 0;
+    while (!head.ends_with("\r\n\r\n") && ::recv(socket_, &byte, 1, 0) == 1) head += byte;
+    return head;
+  }
   /// As a page that is closed; whoever waits for bytes gets none.
   void hang_up() const { ::shutdown(socket_, SHUT_RDWR); }
   /// Whether the other side has ended it, all that was on the way aside.

@@ -37,7 +37,7 @@ class WebServerTest : public ::testing::Test {
   std::unique_ptr<Line> connect(int port) const {
     auto line = std::make_unique<Line>(port);
     line->send(upgrade());
-    EXPECT_TRUE(contains(line->receive(100), "101 Switching Protocols"));
+    EXPECT_TRUE(contains(line->receive_head(), "101 Switching Protocols"));
     return line;
   }
 
@@ -82,7 +82,7 @@ TEST_F(WebServerTest, WithATokenOnlyTheLinkOpens) {
   EXPECT_FALSE(contains(ask(port, upgrade("robot", "-", "/live")), "101 Switching"));
   const Line line(port);
   line.send(upgrade("robot", "-", "/live?token=secret"));
-  EXPECT_TRUE(contains(line.receive(100), "101 Switching"));
+  EXPECT_TRUE(contains(line.receive_head(), "101 Switching"));
 }
 
 TEST_F(WebServerTest, SendsWhatIsOnTheBoardAndTakesRequests) {
