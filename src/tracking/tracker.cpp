@@ -126,20 +126,30 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
 
 namespace {
 
-/// Whether a match is to what entered the map last, by the keyframes since: while the pose is uncertain none
-/// are made, and nothing grows older.
-bool is_young(const LocalMap& local_map, const TrackedFrame& frame, const FrameMatch& match) {
-  constexpr double kYoung = 1;  // [s], or half as long as the map is known here
-  if (match.landmark < 0) return true;
-  double first = frame.timestamp, last = -std::numeric_limits<double>::infinity();
-  for (const LocalReferenceView& view : local_map.reference_views) {
-    if (view.timestamp > frame.timestamp) continue;  // of an earlier run, by another clock
-    first = std::min(first, view.timestamp);
-    last = std::max(last, view.timestamp);
+/// Tells matches to what entered the map last, by the keyframes since: while the pose is uncertain none are
+/// made, and nothing grows older.
+class YoungMatches {
+ public:
+  YoungMatches(const LocalMap& local_map, double now) : local_map_(local_map), now_(now) {
+    double first = now;
+    for (const LocalReferenceView& view : local_map.reference_views) {
+      if (view.timestamp > now) continue;  // of an earlier run, by another clock
+      first = std::min(first, view.timestamp);
+      last_ = std::max(last_, view.timestamp);
+    }
+    constexpr double kYoung = 1;  // [s], or half as long as the map is known here
+    young_ = std::min(kYoung, 0.5 * (last_ - first));
   }
-  const double born = local_map.reference_views[local_map.landmarks[match.landmark].view].timestamp;
-  return born <= frame.timestamp && last - born < std::min(kYoung, 0.5 * (last - first));
-}
+  bool contains(const FrameMatch& match) const {
+    if (match.landmark < 0) return true;
+    const double born = local_map_.reference_views[local_map_.landmarks[match.landmark].view].timestamp;
+    return born <= now_ && last_ - born < young_;
+  }
+
+ private:
+  const LocalMap& local_map_;
+  double now_, last_ = -std::numeric_limits<double>::infinity(), young_ = 0;
+};
 
 }  // namespace
 
@@ -162,8 +172,9 @@ std::vector<FrameMatch> Tracker::drop_young_groups(TrackedFrame& frame, const Lo
                                                    const std::vector<FrameMatch>& matches,
                                                    std::vector<FrameMatch> inliers) const {
   constexpr int kMinOld = 30;
+  const YoungMatches young_ones(local_map, frame.timestamp);
   std::vector<FrameMatch> old, young;
-  for (const FrameMatch& match : matches) (is_young(local_map, frame, match) ? young : old).push_back(match);
+  for (const FrameMatch& match : matches) (young_ones.contains(match) ? young : old).push_back(match);
   if (young.empty()) return inliers;
   frame.old_information = Matrix6d::Zero();
   if (static_cast<int>(old.size()) < settings_.min_inliers) return inliers;
