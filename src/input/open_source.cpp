@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/lower_case.hpp"
 #include "input/layouts/layouts.hpp"
 #include "input/layouts/sens_file.hpp"
 #include "input/layouts/tum_source.hpp"
@@ -67,10 +68,7 @@ const SourceKind& kind_named(const std::string& name) {
 }
 
 std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
+  return lower_case(path.extension().string());
 }
 
 bool is_video(const fs::path& path) {

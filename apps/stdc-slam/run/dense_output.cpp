@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/lower_case.hpp"
 #include "core/stopwatch.hpp"
 #include "dense/export/mesh_files.hpp"
 #include "dense/export/octomap_file.hpp"
@@ -25,9 +26,8 @@ struct Ending {
 };
 
 DenseTarget target_of(const fs::path& path, const char* option, std::initializer_list<Ending> endings) {
-  std::string suffix = path.extension().string(), known;
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = lower_case(path.extension().string());
+  std::string known;
   for (const Ending& ending : endings) {
     if (suffix == ending.suffix) {
       DenseTarget target{ending.kind, path};

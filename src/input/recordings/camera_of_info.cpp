@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "core/error.hpp"
+#include "core/lower_case.hpp"
 #include "core/text_file.hpp"
 
 namespace stdc {
@@ -16,8 +17,7 @@ constexpr const char* kCameraHint = "give a camera file with --camera";
 enum class Lens { none, plumb_bob, rational, equidistant, unknown };
 
 Lens lens_of(std::string_view model) {
-  std::string name(model);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::string name = lower_case(std::string(model));
   std::replace(name.begin(), name.end(), ' ', '_');
   if (name.empty() || name == "none") return Lens::none;
   if (name == "plumb_bob" || name == "brown_conrady") return Lens::plumb_bob;

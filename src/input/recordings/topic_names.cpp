@@ -6,11 +6,13 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "core/lower_case.hpp"
+
 namespace stdc {
 namespace {
 
-bool has_any(std::string name, std::initializer_list<std::string_view> parts) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+bool has_any(const std::string& topic, std::initializer_list<std::string_view> parts) {
+  const std::string name = lower_case(topic);
   return std::any_of(parts.begin(), parts.end(),
                      [&](std::string_view part) { return name.find(part) != std::string::npos; });
 }
