@@ -5,6 +5,16 @@
 
 namespace stdc {
 
+void StampPairing::add_colour(WaitingMessage message) {
+  colour_interval_.add(message.stamp);
+  colour_.push_back(std::move(message));
+}
+
+void StampPairing::add_depth(WaitingMessage message) {
+  depth_interval_.add(message.stamp);
+  depth_.push_back(std::move(message));
+}
+
 std::size_t StampPairing::waiting_bytes() const {
   std::size_t bytes = 0;
   for (const auto* queue : {&colour_, &depth_}) {
@@ -22,14 +32,27 @@ std::optional<std::size_t> StampPairing::nearest_depth(std::int64_t stamp) const
   return nearest;
 }
 
+/// Whether a depth image is near enough to the first colour image for a camera that cannot wait.
+bool StampPairing::may_be_taken_at_once(std::size_t partner) const {
+  const std::int64_t first = colour_.front().stamp, depth = depth_[partner].stamp;
+  const std::int64_t distance = std::abs(depth - first);
+  if (at_once_ == 0 || distance > tolerance_) return false;
+  if (distance <= at_once_) return true;
+  const auto next_depth = depth_interval_.lower_bound(), next_colour = colour_interval_.lower_bound();
+  if (!next_depth || !next_colour) return false;
+  // What is nearer by less than this is not worth waiting for; stamps of a camera jitter by as much.
+  const std::int64_t gain = at_once_ / 4;
+  const bool nearer_depth = depth_.back().stamp + *next_depth < first + distance - gain;
+  if (nearer_depth || depth <= first) return !nearer_depth;
+  if (colour_.size() > 1) return std::abs(colour_[1].stamp - depth) >= distance;
+  return first + *next_colour - depth >= distance - gain;
+}
+
 /// Whether what decides on the first colour image may still come.
 bool StampPairing::needs_more() const {
   if (finished_) return false;
   const std::int64_t first = colour_.front().stamp;
-  if (const auto near = nearest_depth(first);
-      near && at_once_ > 0 && std::abs(depth_[*near].stamp - first) <= at_once_) {
-    return false;
-  }
+  if (const auto near = nearest_depth(first); near && may_be_taken_at_once(*near)) return false;
   if (depth_.empty() || depth_.back().stamp < first) return true;
   // A depth image behind the first colour image may be nearer to the second one, and that to another depth
   // image.

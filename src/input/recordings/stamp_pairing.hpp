@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "input/recordings/usual_interval.hpp"
+
 namespace stdc {
 
 /// A message that waits for its partner.
@@ -21,14 +23,14 @@ struct WaitingMessage {
 class StampPairing {
  public:
   /// @param tolerance  [ns]
-  /// @param at_once    [ns] a partner this near is taken without waiting for a nearer one: live cameras
-  /// cannot
-  ///                   wait
+  /// @param at_once    [ns] live cameras cannot wait: a partner this near is taken without waiting for a
+  ///                   nearer one, and so is one further away if, by the intervals seen so far, none that is
+  ///                   worth waiting for may still come. 0: every pair is certain.
   explicit StampPairing(std::int64_t tolerance, std::int64_t at_once = 0)
       : tolerance_(tolerance), at_once_(at_once) {}
 
-  void add_colour(WaitingMessage message) { colour_.push_back(std::move(message)); }
-  void add_depth(WaitingMessage message) { depth_.push_back(std::move(message)); }
+  void add_colour(WaitingMessage message);
+  void add_depth(WaitingMessage message);
   /// Nothing more will come.
   void finish() { finished_ = true; }
   /// No more can be waited for: the first colour image is decided on with what is there, and the oldest go if
@@ -49,11 +51,13 @@ class StampPairing {
  private:
   std::optional<std::size_t> nearest_depth(std::int64_t stamp) const;
   bool needs_more() const;
+  bool may_be_taken_at_once(std::size_t partner) const;
   void drop_depth_before_colour();
   std::optional<std::size_t> partner_of_first() const;
 
   std::int64_t tolerance_, at_once_;
   std::deque<WaitingMessage> colour_, depth_;
+  UsualInterval colour_interval_, depth_interval_;
   bool finished_ = false, give_way_ = false;
   int colour_without_depth_ = 0;
   std::optional<std::int64_t> nearest_miss_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/random.hpp"
 #include "input/association.hpp"
 
@@ -96,6 +98,128 @@ TEST(StampPairing, TakesAPartnerThatIsNearEnoughAtOnce) {
   live.add_colour(at(200));
   live.add_depth(at(215));
   EXPECT_FALSE(live.next().has_value());
+}
+
+/// What a live camera delivers: every image comes the moment it is taken.
+struct LiveStreams {
+  std::vector<std::int64_t> colour, depth;
+
+  /// Depth lies `offset` from colour; both jitter; `rate` changes in the middle.
+  LiveStreams(std::int64_t offset, std::int64_t jitter, std::uint32_t one_lost_in, std::int64_t period,
+              std::int64_t later_period) {
+    Random random(5);
+    std::int64_t time = 1'000'000;
+    for (int i = 0; i < 400; ++i) {
+      time += i < 200 ? period : later_period;
+      const auto jittered = [&] {
+        return time + static_cast<std::int64_t>(random.below(static_cast<std::uint32_t>(1 + jitter)));
+      };
+      if (one_lost_in == 0 || random.below(one_lost_in) != 0) colour.push_back(jittered());
+      if (one_lost_in == 0 || random.below(one_lost_in) != 0) depth.push_back(jittered() + offset);
+    }
+  }
+};
+
+/// How pairs were made: how long each waited since its later image, and the distance of its images.
+struct LivePairs {
+  std::vector<std::int64_t> waits, distances, colour;
+};
+
+LivePairs play(const LiveStreams& streams, StampPairing pairing) {
+  LivePairs pairs;
+  for (std::size_t c = 0, d = 0; c < streams.colour.size() || d < streams.depth.size();) {
+    const bool colour_next =
+        d == streams.depth.size() || (c < streams.colour.size() && streams.colour[c] <= streams.depth[d]);
+    const std::int64_t now = colour_next ? streams.colour[c++] : streams.depth[d++];
+    colour_next ? pairing.add_colour(at(now)) : pairing.add_depth(at(now));
+    while (const auto pair = pairing.next()) {
+      pairs.waits.push_back(now - std::max(pair->first.stamp, pair->second.stamp));
+      pairs.distances.push_back(std::abs(pair->first.stamp - pair->second.stamp));
+      pairs.colour.push_back(pair->first.stamp);
+    }
+  }
+  return pairs;
+}
+
+double share_at_once(const LivePairs& pairs) {
+  const auto waited = std::count_if(pairs.waits.begin(), pairs.waits.end(), [](auto w) { return w > 0; });
+  return 1 - static_cast<double>(waited) / static_cast<double>(pairs.waits.size());
+}
+
+constexpr std::int64_t kTolerated = 20'000, kSoon = 10'000;  // [us]
+
+TEST(StampPairing, LearnsThatNoNearerImageCanCome) {
+  for (const std::int64_t offset : {-14'000, -12'000, 12'000, 14'000}) {
+    const LiveStreams streams(offset, 0, 0, 33'000, 33'000);
+    const LivePairs patient = play(streams, StampPairing(kTolerated));
+    const LivePairs live = play(streams, StampPairing(kTolerated, kSoon));
+    EXPECT_LT(share_at_once(patient), 0.1) << offset;
+    EXPECT_GT(share_at_once(live), 0.96) << offset << ": all but the first ten, from which it learns";
+    EXPECT_GE(live.colour.size(), patient.colour.size()) << offset;
+    EXPECT_EQ(std::vector(live.distances.begin(), live.distances.begin() + 390),
+              std::vector(patient.distances.begin(), patient.distances.begin() + 390));
+  }
+}
+
+TEST(StampPairing, TakesNoPartnerThatIsMuchFurtherThanTheNearest) {
+  constexpr std::int64_t kGain = kSoon / 4;
+  struct Stream {
+    std::int64_t jitter;
+    std::uint32_t one_lost_in;
+    std::int64_t period, later_period;
+  };
+  for (const auto& [jitter, lost, period, later] : {Stream{3'000, 0, 33'000, 33'000},
+                                                    {3'000, 12, 33'000, 33'000},
+                                                    {1'000, 0, 33'000, 66'000},
+                                                    {1'000, 0, 66'000, 33'000},
+                                                    {1'000, 0, 33'000, 11'000},
+                                                    {6'000, 8, 33'000, 40'000}}) {
+    for (std::int64_t offset = -18'000; offset <= 18'000; offset += 1'000) {
+      const LiveStreams streams(offset, jitter, lost, period, later);
+      const LivePairs live = play(streams, StampPairing(kTolerated, kSoon));
+      int poor = 0;
+      for (std::size_t i = 0; i < live.colour.size(); ++i) {
+        std::int64_t nearest = kTolerated;
+        for (const std::int64_t depth : streams.depth) {
+          nearest = std::min(nearest, std::abs(depth - live.colour[i]));
+        }
+        if (live.distances[i] > kSoon && live.distances[i] > nearest + kGain) ++poor;
+      }
+      EXPECT_LE(poor, 0.06 * static_cast<double>(live.colour.size()))
+          << "offset " << offset << ", jitter " << jitter << ", rate " << period << " to " << later;
+    }
+  }
+}
+
+TEST(StampPairing, LosesNoImageByHurry) {
+  for (const std::int64_t offset : {-16'000, -13'000, 13'000, 16'000}) {
+    const LiveStreams streams(offset, 4'000, 10, 33'000, 33'000);
+    const LivePairs patient = play(streams, StampPairing(kTolerated));
+    const LivePairs live = play(streams, StampPairing(kTolerated, kSoon));
+    EXPECT_GE(static_cast<double>(live.colour.size()), 0.97 * static_cast<double>(patient.colour.size()))
+        << offset;
+    EXPECT_TRUE(std::is_sorted(live.colour.begin(), live.colour.end()));
+  }
+}
+
+TEST(StampPairing, ACertainPairingLearnsNothing) {
+  const LiveStreams streams(-12'000, 3'000, 9, 33'000, 20'000);
+  const LivePairs live = play(streams, StampPairing(kTolerated));
+  const Pairs expected = pairs_of(streams.colour, streams.depth, kTolerated);
+  ASSERT_GE(live.colour.size() + 1, expected.size());
+  for (std::size_t i = 0; i < live.colour.size(); ++i) EXPECT_EQ(live.colour[i], expected[i].first);
+}
+
+TEST(UsualInterval, IsNotMisledByAHiccup) {
+  UsualInterval interval;
+  for (int i = 0; i < 10; ++i) interval.add(33 * i);
+  EXPECT_FALSE(interval.lower_bound().has_value()) << "too few";
+  for (int i = 10; i < 40; ++i) interval.add(33 * i);
+  interval.add(33 * 39 + 2);
+  interval.add(33 * 40);
+  EXPECT_EQ(interval.lower_bound(), 33);
+  for (int i = 0; i < 4; ++i) interval.add(33 * 40 + 11 * (i + 1));
+  EXPECT_EQ(interval.lower_bound(), 11) << "a faster stream is noticed within three images";
 }
 
 }  // namespace
