@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <type_traits>
 
 namespace stdc {
 namespace {
 
-constexpr float kHalfUnit = 32;  // steps per pixel of the half sides
 // [px] added to the half side of a rectangle, so that slanted surfaces have no cracks
 constexpr double kOverlap = 0.06;
 
@@ -16,22 +16,46 @@ std::size_t index_of(int row, int column, int columns) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
-/// The pixels of a row or column whose middle lies within `half` of `centre`; the nearest one at least.
-struct Cover {
-  int first, last;
-  Cover(float centre, float half, int count) {
-    // Shifted to where truncation rounds down: cheaper than floor().
-    constexpr int kShift = 1 << 14;
-    const auto floor_of = [](float x) { return static_cast<int>(x + float{kShift}) - kShift; };
-    first = floor_of(centre - half) + 1;
-    last = floor_of(centre + half);
-    if (last < first) first = last = floor_of(centre + 0.5F);
-    first = std::max(first, 0);
-    last = std::min(last, count - 1);
+/// The nearest of what covers a pixel is seen there.
+template <typename T>
+void draw(const CoverRow& row, cv::Mat& registered) {
+  constexpr float kRound = std::is_same_v<T, float> ? 0 : 0.5F;
+  for (std::size_t i = 0; i < row.count; ++i) {
+    const T value = static_cast<T>(row.value[i] + kRound);
+    for (int y = row.top[i]; y <= row.bottom[i]; ++y) {
+      T* pixels = registered.ptr<T>(y);
+      for (int x = row.left[i]; x <= row.right[i]; ++x) {
+        if (pixels[x] == 0 || value < pixels[x]) pixels[x] = value;
+      }
+    }
   }
-};
+}
 
 }  // namespace
+
+/// Where the pixels of a row lie in the colour image [px], depths there and in their own camera [m], <= 0
+/// where there is none; then what they cover (CoverRow).
+struct DepthRegistration::Row {
+  std::vector<float> u, v, z, depth, value;
+  std::vector<std::int32_t> left, right, top, bottom;
+  explicit Row(std::size_t size)
+      : u(size),
+        v(size),
+        z(size),
+        depth(size),
+        value(size),
+        left(size),
+        right(size),
+        top(size),
+        bottom(size) {}
+  CoverRow task() {
+    CoverRow task;
+    task.u = u.data(), task.v = v.data(), task.z = z.data(), task.depth = depth.data();
+    task.left = left.data(), task.right = right.data(), task.top = top.data(), task.bottom = bottom.data();
+    task.value = value.data();
+    return task;
+  }
+};
 
 DepthRegistration::DepthRegistration(const DepthCamera& depth, const Camera& colour)
     : depth_size_(depth.camera.width, depth.camera.height),
@@ -63,13 +87,14 @@ DepthRegistration::DepthRegistration(const DepthCamera& depth, const Camera& col
 
 void DepthRegistration::set_sides(const std::vector<Eigen::Vector3d>& rays) {
   const int columns = depth_size_.width, rows = depth_size_.height;
-  half_width_.resize(rays.size());
-  half_height_.resize(rays.size());
+  half_width_.resize(rays.size() + kRegistrationPadding);
+  half_height_.resize(rays.size() + kRegistrationPadding);
   const auto pixel = [&](int row, int column) -> Eigen::Vector2d {
     return rays[index_of(row, column, columns)].hnormalized();
   };
   const auto half = [](double side) {
-    return static_cast<std::uint8_t>(std::clamp(std::ceil(kHalfUnit * (0.5 * side + kOverlap)), 1.0, 255.0));
+    return static_cast<std::uint8_t>(
+        std::clamp(std::ceil(CoverRow::kHalfUnit * (0.5 * side + kOverlap)), 1.0, 255.0));
   };
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
@@ -92,28 +117,35 @@ cv::Mat DepthRegistration::apply(const cv::Mat& depth) const {
 template <typename T>
 cv::Mat DepthRegistration::register_all(const cv::Mat& depth) const {
   cv::Mat registered(colour_size_, depth.type(), cv::Scalar(0));
-  ProjectedRow projected;
-  for (auto* values : {&projected.u, &projected.v, &projected.z}) {
-    values->resize(static_cast<std::size_t>(depth_size_.width));
-  }
-  for (int row = 0; row < depth_size_.height; ++row) {
-    project(depth.ptr<T>(row), row, projected);
-    draw(projected, depth.ptr<T>(row), row, registered);
+  const auto columns = static_cast<std::size_t>(depth_size_.width);
+  Row row(columns + kRegistrationPadding);
+  CoverRow cover = row.task();
+  cover.count = columns;
+  cover.width = colour_size_.width, cover.height = colour_size_.height;
+  constexpr bool kMetres = std::is_same_v<T, float>;
+  cover.units = kMetres ? 1 : units_;
+  cover.min_value = kMetres ? 0 : 0.5F;
+  cover.max_value = kMetres ? std::numeric_limits<float>::infinity() : 65535.5F;
+  for (int y = 0; y < depth_size_.height; ++y) {
+    project(depth.ptr<T>(y), y, row);
+    lens_.distort(row.u.data(), row.v.data(), columns);
+    cover.half_width = &half_width_[index_of(y, 0, depth_size_.width)];
+    cover.half_height = &half_height_[index_of(y, 0, depth_size_.width)];
+    cover_row(cover);
+    draw<T>(cover, registered);
   }
   return registered;
 }
 
 template <typename T>
-void DepthRegistration::project(const T* depth, int row, ProjectedRow& projected) const {
+void DepthRegistration::project(const T* depth, int row, Row& out) const {
   const std::size_t start = index_of(row, 0, depth_size_.width);
   const float* x = &ray_x_[start];
   const float* y = &ray_y_[start];
   const float* z = &ray_z_[start];
   const float metres = std::is_same_v<T, float> ? 1 : 1 / units_;
   const auto [tx, ty, tz] = translation_;
-  float* u = projected.u.data();
-  float* v = projected.v.data();
-  float* there = projected.z.data();
+  float *u = out.u.data(), *v = out.v.data(), *there = out.z.data(), *own = out.depth.data();
   for (int i = 0; i < depth_size_.width; ++i) {
     const float d = static_cast<float>(depth[i]) * metres;
     const float at = z[i] * d + tz;
@@ -121,38 +153,7 @@ void DepthRegistration::project(const T* depth, int row, ProjectedRow& projected
     u[i] = (x[i] * d + tx) * inverse;
     v[i] = (y[i] * d + ty) * inverse;
     there[i] = d > 0 ? at : 0.F;  // also for NaN
-  }
-}
-
-template <typename T>
-void DepthRegistration::draw(const ProjectedRow& projected, const T* depth, int row,
-                             cv::Mat& registered) const {
-  const std::size_t start = index_of(row, 0, depth_size_.width);
-  const float units = std::is_same_v<T, float> ? 1 : units_;
-  const float to_metres = 1 / units;
-  constexpr float kMargin = 8;  // [px] a rectangle may reach into the image from beside it
-  const float right = static_cast<float>(colour_size_.width) + kMargin;
-  const float bottom = static_cast<float>(colour_size_.height) + kMargin;
-  for (int i = 0; i < depth_size_.width; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const float z = projected.z[at];
-    float u = projected.u[at], v = projected.v[at];
-    if (!(z > 0)) continue;
-    if (!lens_.empty() && !lens_.distort(u, v)) continue;
-    if (!(u > -kMargin && v > -kMargin && u < right && v < bottom)) continue;
-    const float value = z * units;
-    if (std::is_same_v<T, std::uint16_t> && !(value >= 0.5F && value < 65535.5F)) continue;
-    const T stored = std::is_same_v<T, float> ? static_cast<T>(value) : static_cast<T>(value + 0.5F);
-    // What comes nearer by the change of camera looks larger.
-    const float scale = static_cast<float>(depth[i]) * to_metres / (z * kHalfUnit);
-    const Cover across(u, static_cast<float>(half_width_[start + at]) * scale, colour_size_.width);
-    const Cover down(v, static_cast<float>(half_height_[start + at]) * scale, colour_size_.height);
-    for (int y = down.first; y <= down.last; ++y) {
-      T* pixels = registered.ptr<T>(y);
-      for (int x = across.first; x <= across.last; ++x) {
-        if (pixels[x] == 0 || stored < pixels[x]) pixels[x] = stored;
-      }
-    }
+    own[i] = d;
   }
 }
 

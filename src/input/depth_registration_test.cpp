@@ -123,5 +123,71 @@ TEST(DepthRegistration, HolesStayHolesAndMetresStayMetres) {
   EXPECT_FLOAT_EQ(registered.at<float>(10, 10), 1.25F);
 }
 
+/// A room with steps of depth and holes.
+cv::Mat stepped_room(const Camera& camera) {
+  cv::Mat depth(camera.height, camera.width, CV_16UC1, cv::Scalar(3000));
+  for (int i = 0; i < 12; ++i) {
+    const cv::Rect box(i * camera.width / 12, (i * 5 % 7) * camera.height / 9, camera.width / 15,
+                       camera.height / 5);
+    depth(box).setTo(i % 4 == 3 ? 0 : 900 + 150 * i);
+  }
+  return depth;
+}
+
+TEST(DepthRegistration, GivesTheSameBytesWithEveryInstructionSet) {
+  Camera colour = camera_of(641, 480, 615);  // not a whole number of vectors
+  colour.k1 = 0.12, colour.k2 = -0.25, colour.p1 = 1e-3, colour.p2 = -5e-4, colour.k4 = 0.05;
+  DepthCamera depth = wide_depth_camera();
+  depth.camera = camera_of(845, 480, 424);
+  depth.colour_from_depth.rotation = rotation_exp({0.01, -0.02, 0.005});
+  const DepthRegistration registration(depth, colour);
+  const cv::Mat units = stepped_room(depth.camera);
+  cv::Mat metres;
+  units.convertTo(metres, CV_32F, 0.001);
+  cv::Mat first_units, first_metres;
+  test::on_every_target([&] {
+    const cv::Mat in_units = registration.apply(units), in_metres = registration.apply(metres);
+    if (first_units.empty()) first_units = in_units, first_metres = in_metres;
+    EXPECT_EQ(cv::norm(in_units, first_units, cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(in_metres, first_metres, cv::NORM_INF), 0);
+  });
+}
+
+TEST(LensRows, MovePixelsAsTheCameraDoes) {
+  Camera usual = camera_of(640, 480, 525);
+  usual.k1 = 0.23, usual.k2 = -0.78, usual.p1 = -2e-3, usual.p2 = 2e-3, usual.k3 = 0.92;  // fr1's
+  Camera rational = usual;
+  rational.k4 = 0.1, rational.k5 = -0.2, rational.k6 = 0.05;
+  Camera fisheye = camera_of(640, 480, 300);
+  fisheye.lens = LensModel::equidistant;
+  fisheye.k1 = 0.02;
+  for (const Camera& camera : {usual, rational, fisheye, camera_of(640, 480, 525)}) {
+    const LensRows rows(camera);
+    constexpr int kStep = 7;
+    for (int y = 0; y < camera.height; y += kStep) {
+      std::vector<float> u(640 + kRegistrationPadding), v(640 + kRegistrationPadding);
+      for (int x = 0; x < camera.width; ++x) {
+        const Eigen::Vector2d ideal = camera.undistort(Eigen::Vector2d(x, y));
+        u[static_cast<std::size_t>(x)] = static_cast<float>(ideal.x());
+        v[static_cast<std::size_t>(x)] = static_cast<float>(ideal.y());
+      }
+      rows.distort(u.data(), v.data(), 640);
+      for (int x = 0; x < camera.width; ++x) {
+        ASSERT_NEAR(u[static_cast<std::size_t>(x)], x, 0.01) << x << " " << y;
+        ASSERT_NEAR(v[static_cast<std::size_t>(x)], y, 0.01) << x << " " << y;
+      }
+    }
+  }
+}
+
+TEST(LensRows, NothingLiesWhereThePolynomialFoldsBack) {
+  Camera camera = camera_of(640, 480, 525);
+  camera.k1 = -0.3;  // folds at a radius of 1.05, far outside the image
+  const LensRows rows(camera);
+  std::vector<float> u(32 + kRegistrationPadding, 319.5F + 525 * 1.8F), v(32 + kRegistrationPadding, 239.5F);
+  rows.distort(u.data(), v.data(), 32);
+  for (int i = 0; i < 32; ++i) EXPECT_TRUE(std::isnan(u[static_cast<std::size_t>(i)]));
+}
+
 }  // namespace
 }  // namespace stdc

@@ -1,7 +1,8 @@
+#include "input/lens_table.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "input/depth_registration.hpp"
+#include <opencv2/core/types.hpp>
 
 namespace stdc {
 namespace {
