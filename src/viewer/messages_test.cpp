@@ -1,6 +1,8 @@
 // What the page reads: sizes and places of the numbers in each kind of message.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <stdexcept>
@@ -127,6 +129,35 @@ TEST(MeshMessage, PlacesAreWithinATenthOfAMillimetre) {
 TEST(MapMessage, OfAnEmptyMapIsEmpty) {
   const std::string bytes = encode_map({MapId{0}, {}, {}, {}});
   EXPECT_EQ(bytes.size(), 28U);
+}
+
+TEST(MapMessage, OfADayIsBounded) {
+  constexpr int kFrames = 2'000'000;
+  constexpr std::size_t kHeader = 28, kPose = 16, kTruth = 12;
+  ViewMap map{MapId{0}, {}, {}, {}};
+  for (int i = 0; i < kFrames; ++i) {
+    FramePose pose;
+    pose.frame = i;
+    pose.map = MapId{0};
+    map.trajectory.push_back(pose);
+    map.truth.emplace_back(i == 1001 ? NAN : i, 0, 0);
+  }
+  const std::string bytes = encode_map(map);
+  const auto number_at = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+  };
+  const std::uint32_t poses = number_at(4), truth = number_at(24);
+  EXPECT_GT(poses, ViewMap::kMaxPoints / 3);
+  EXPECT_LE(poses, ViewMap::kMaxPoints + 1);
+  EXPECT_EQ(truth, poses + 1) << "and the gap";
+  EXPECT_EQ(bytes.size(), kHeader + kPose * poses + kTruth * truth);
+  const auto frame = [&](std::size_t i) { return number_at(kHeader + kPose * i + 12); };
+  EXPECT_EQ(frame(0), 0U);
+  EXPECT_EQ(frame(poses - 1), kFrames - 1U);
+  EXPECT_EQ(frame(poses - 5000), kFrames - 5000U) << "the newest are all there";
+  for (std::size_t i = 1; i < poses; ++i) ASSERT_GT(frame(i), frame(i - 1));
 }
 
 TEST(ViewState, IsJsonWhateverTheNameIs) {

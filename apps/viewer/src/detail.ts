@@ -68,3 +68,10 @@ export function thinned(points: Float32Array, max: number): Float32Array {
   line.set(points.subarray(points.length - 3), 3 * kept.length);
   return line;
 }
+
+// The pieces of a line, each by its two ends; every `step`-th of them, so that 2 makes dashes.
+export function segments(points: Float32Array, step: number): Float32Array {
+  const pieces = Math.max(0, Math.ceil((points.length / 3 - 1) / step)), ends = new Float32Array(6 * pieces);
+  for (let i = 0; i < pieces; ++i) ends.set(points.subarray(3 * i * step, 3 * i * step + 6), 6 * i);
+  return ends;
+}

@@ -1,6 +1,6 @@
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, LineBasicMaterial, LineSegments, Matrix4, Mesh as ThreeMesh,
-  MeshBasicMaterial, Object3D, Points, PointsMaterial, Quaternion, Scene,
+  BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, LineBasicMaterial, LineSegments, Matrix4,
+  Mesh as ThreeMesh, MeshBasicMaterial, Object3D, Points, PointsMaterial, Quaternion, Scene,
   SRGBColorSpace, Vector3, WebGLRenderer,
 } from "three";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
@@ -9,10 +9,13 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { okabe, Theme } from "./colours";
-import { coarseMesh, drawsInSoftware, sparse, thinned } from "./detail";
+import { coarseMesh, drawsInSoftware, segments, sparse, thinned } from "./detail";
 import { frustum } from "./frustum";
 import { Mesh, Pose, RunMap, RunState } from "./protocol";
 import { ViewMode, Viewpoint } from "./viewpoint";
+
+const thinLevel = 2;  // of detail, from which on lines are thin
+const maxThinPoints = 1000;
 
 export type Layer = "path" | "truth" | "keyframes" | "covisibility" | "loops" | "landmarks" | "mesh";
 
@@ -41,6 +44,9 @@ export class Scene3D {
   private readonly cameraMaterial = new LineMaterial({ linewidth: 2.5, color: okabe.orange });
   private readonly path = new Line2(new LineGeometry(), this.pathMaterial);
   private readonly truth = new Line2(new LineGeometry(), this.truthMaterial);
+  // Both as lines of one pixel, which cost a software renderer a tenth of those of some width.
+  private readonly thinPath = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  private readonly thinTruth = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
   private readonly loops = new LineSegments2(new LineSegmentsGeometry(), this.loopMaterial);
   private readonly camera = new Object3D();
   private readonly pane = document.createElement("canvas");
@@ -58,7 +64,7 @@ export class Scene3D {
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, powerPreference: "high-performance" });
     this.viewpoint = new Viewpoint(canvas, () => { this.dirty = true; });
     for (const object of [this.mesh, this.landmarks, this.covisibility, this.keyframes, this.loops, this.truth,
-      this.path, this.camera, this.picked]) {
+      this.path, this.thinTruth, this.thinPath, this.camera, this.picked]) {
       object.frustumCulled = false;
       object.visible = false;
       this.scene.add(object);
@@ -78,26 +84,31 @@ export class Scene3D {
   setLayer(layer: Layer, shown: boolean) {
     this.shown[layer] = shown;
     this.updateVisible();
+    this.dirty = true;
   }
 
   private updateVisible() {
     const has = (object: { geometry: BufferGeometry }, name = "position") =>
       (object.geometry.getAttribute(name)?.count ?? 0) > 0;
-    this.path.visible = this.shown.path && has(this.path, "instanceStart");
-    this.truth.visible = this.shown.truth && has(this.truth, "instanceStart");
+    const thin = this.drawn >= thinLevel;
+    const path = this.shown.path && has(this.path, "instanceStart");
+    const truth = this.shown.truth && has(this.truth, "instanceStart");
+    [this.path.visible, this.thinPath.visible] = [path && !thin, path && thin];
+    [this.truth.visible, this.thinTruth.visible] = [truth && !thin, truth && thin];
     this.loops.visible = this.shown.loops && has(this.loops, "instanceStart");
     this.keyframes.visible = this.shown.keyframes && has(this.keyframes);
-    this.covisibility.visible = this.shown.covisibility && has(this.covisibility);
+    this.covisibility.visible = this.drawn < 3 && this.shown.covisibility && has(this.covisibility);
     this.landmarks.visible = this.shown.landmarks && has(this.landmarks);
     this.mesh.visible = this.shown.mesh && has(this.mesh);
     this.camera.visible = this.pose !== null;
-    this.dirty = true;
   }
 
   setTheme(theme: Theme) {
     this.scene.background = new Color(theme.background);
     this.pathMaterial.color.set(theme.path);
     this.truthMaterial.color.set(theme.truth);
+    this.thinPath.material.color.set(theme.path);
+    this.thinTruth.material.color.set(theme.truth);
     (this.keyframes.material as LineBasicMaterial).color.set(theme.keyframe);
     (this.covisibility.material as LineBasicMaterial).color.set(theme.keyframe);
     (this.landmarks.material as PointsMaterial).color.set(theme.landmark);
@@ -145,12 +156,15 @@ export class Scene3D {
       this.viewpoint.move(pose);
     }
     this.updateVisible();
+    this.dirty = true;
   }
 
   setPath(points: Float32Array) {
     this.setLine(this.path, points);
+    this.replace(this.thinPath, segments(thinned(points, maxThinPoints), 1));
     if (points.length >= 6) this.viewpoint.fitIfGrown(points.length / 3, this.map);
     this.updateVisible();
+    this.dirty = true;
   }
 
   private setLine(line: Line2, points: Float32Array) {
@@ -182,8 +196,10 @@ export class Scene3D {
     this.loops.geometry = new LineSegmentsGeometry();
     if (loops.length > 0) this.loops.geometry.setPositions(loops);
     this.setLine(this.truth, map.truth);
+    this.replace(this.thinTruth, segments(thinned(map.truth, maxThinPoints), 2));
     if (this.pickedFrame !== null) this.markPicked(this.pickedFrame);
     this.updateVisible();
+    this.dirty = true;
   }
 
   private replace(object: { geometry: BufferGeometry }, positions: Float32Array) {
@@ -217,12 +233,13 @@ export class Scene3D {
       return made;
     };
     for (const old of new Set(this.meshLevels)) old.dispose();
-    const full = geometry(mesh), medium = geometry(coarseMesh(mesh, 60000)), coarse = geometry(coarseMesh(mesh, 15000));
+    const full = geometry(mesh), medium = geometry(coarseMesh(mesh, 60000)), coarse = geometry(coarseMesh(mesh, 10000));
     this.meshLevels = [full, medium, medium, coarse];
     this.mesh.geometry = full;
     this.mesh.position.fromArray(mesh.corner);
     this.mesh.scale.fromArray(mesh.size);
     this.updateVisible();
+    this.dirty = true;
   }
 
   private listenForPicks() {
@@ -302,7 +319,7 @@ export class Scene3D {
     this.mesh.geometry = this.meshLevels[level] ?? this.mesh.geometry;
     this.landmarks.geometry.setIndex(this.pointLevels[level] ?? null);
     this.keyframes.geometry.setIndex(level < 3 ? null : this.fewKeyframes);
-    this.covisibility.visible = level < 3 && this.shown.covisibility && this.covisibility.geometry.attributes.position !== undefined;
+    this.updateVisible();
     if (this.pixelRatio() !== this.renderer.getPixelRatio()) {
       this.renderer.setPixelRatio(this.pixelRatio());
       this.renderer.setSize(this.canvas.clientWidth, this.canvas.clientHeight, false);
@@ -340,6 +357,25 @@ export class Scene3D {
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);  // waits until it is drawn
       times.push(performance.now() - begin);
     }
+    this.drawnAt = performance.now();  // it does not come to rest at once
     return times;
+  }
+
+  // Turns the view for some time as a hand does: milliseconds between the pictures that were drawn.
+  turning(milliseconds: number): Promise<number[]> {
+    const times: number[] = [], end = performance.now() + milliseconds;
+    let last = performance.now();
+    return new Promise((resolve) => {
+      const step = () => {
+        const now = performance.now();
+        times.push(now - last);
+        last = now;
+        if (now > end) return resolve(times);
+        this.viewpoint.turn(0.01);
+        this.dirty = true;
+        requestAnimationFrame(step);
+      };
+      requestAnimationFrame(step);
+    });
   }
 }

@@ -78,12 +78,23 @@ try {
   });
   console.log(result.join("\n"));
   const measure = async (name, level) => {
-    const count = 12;
+    const count = level > 0 ? 40 : 12;
     await page.evaluate((l) => window.stdcViewer.scene.measure(2, l), level);
     const before = cpu(server.process().pid);
     const times = await page.evaluate(([n, l]) => window.stdcViewer.scene.measure(n, l), [count, level]);
     times.sort((x, y) => x - y);
     console.log(`${name}: ${times[count >> 1].toFixed(0)} ms, ${((cpu(server.process().pid) - before) / count).toFixed(0)} ms of CPU a picture`);
+  };
+  // As somebody sees it who turns the view: everything that the browser does for it is in there.
+  const turn = async () => {
+    await page.evaluate(() => window.stdcViewer.scene.turning(4000));  // until it knows how much it can draw
+    const before = cpu(server.process().pid);
+    const times = (await page.evaluate(() => window.stdcViewer.scene.turning(6000))).slice(1).sort((x, y) => x - y);
+    const used = cpu(server.process().pid) - before, sum = times.reduce((a, b) => a + b, 0);
+    console.log(`turned, level ${await page.evaluate(() => window.stdcViewer.scene.level)}: ` +
+      `${(1000 * times.length / sum).toFixed(1)} pictures a second, ${times[times.length >> 1].toFixed(0)} ms (median), ` +
+      `${(used / times.length).toFixed(0)} ms of CPU a picture, ` +
+      await page.evaluate(() => `canvas ${window.stdcViewer.scene.canvas.width} x ${window.stdcViewer.scene.canvas.height}`));
   };
   const layers = async (shown) => {
     await page.evaluate((names) => {
@@ -96,6 +107,7 @@ try {
   await measure("while it changes: coarse mesh, every tenth landmark", 1);
   await measure("the same with 0.7 of the pixels a side", 2);
   await measure("the same with half", 3);
+  await turn();
   for (const one of ["mesh", "landmarks", "path", "keyframes", "covisibility"]) {
     await layers([one]);
     await measure(`${one} alone`, 0);
