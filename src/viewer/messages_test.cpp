@@ -132,10 +132,10 @@ TEST(MapMessage, OfAnEmptyMapIsEmpty) {
 }
 
 TEST(MapMessage, OfADayIsBounded) {
-  constexpr int kFrames = 2'000'000;
+  constexpr int kDay = 2'000'000;
   constexpr std::size_t kHeader = 28, kPose = 16, kTruth = 12;
   ViewMap map{MapId{0}, {}, {}, {}};
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kDay; ++i) {
     FramePose pose;
     pose.frame = i;
     pose.map = MapId{0};
@@ -155,8 +155,8 @@ TEST(MapMessage, OfADayIsBounded) {
   EXPECT_EQ(bytes.size(), kHeader + kPose * poses + kTruth * truth);
   const auto frame = [&](std::size_t i) { return number_at(kHeader + kPose * i + 12); };
   EXPECT_EQ(frame(0), 0U);
-  EXPECT_EQ(frame(poses - 1), kFrames - 1U);
-  EXPECT_EQ(frame(poses - 5000), kFrames - 5000U) << "the newest are all there";
+  EXPECT_EQ(frame(poses - 1), kDay - 1U);
+  EXPECT_EQ(frame(poses - 5000), kDay - 5000U) << "the newest are all there";
   for (std::size_t i = 1; i < poses; ++i) ASSERT_GT(frame(i), frame(i - 1));
 }
 
