@@ -46,7 +46,8 @@ export class Chart {
     const values: number[] = [];
     for (const one of data.series) for (let i = data.first; i < data.count; ++i) values.push(one.value(i));
     values.sort((a, b) => a - b);
-    const usual = values[Math.floor(0.995 * (values.length - 1))] ?? 1;
+    const few = values.length < 30;
+    const usual = values[few ? values.length - 1 : Math.floor(0.995 * (values.length - 1))] ?? 1;
     return Math.max(usual * 1.15, (data.limit?.value ?? 0) * 1.15, 1e-6);
   }
 

@@ -8,7 +8,7 @@ import * as protocol from "./protocol";
 import { Topic, Want } from "./protocol";
 import { Layer, Scene3D } from "./scene";
 import { ViewMode } from "./viewpoint";
-import { wordsFor } from "./words";
+import { counted, wordsFor } from "./words";
 
 const element = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 const model = new Model();
@@ -74,8 +74,8 @@ function drawWords() {
   element("progress-text").textContent = all ? `${count} of ${all} frames` : `${count} frames`;
   element<HTMLProgressElement>("progress").hidden = !all;
   if (all) Object.assign(element<HTMLProgressElement>("progress"), { max: all, value: Math.min(count, all) });
-  const facts = [`${state.keyframes} keyframes`, `${state.landmarks.toLocaleString("en")} landmarks`,
-    `${state.loops} ${state.loops === 1 ? "loop" : "loops"}`];
+  const facts = [counted(state.keyframes, "keyframe"), counted(state.landmarks, "landmark")];
+  if (state.loops > 0) facts.push(counted(state.loops, "loop"));
   if (state.mesh_triangles > 0) {
     facts.push(`${Math.round(state.mesh_triangles / 1000).toLocaleString("en")}k triangles at ${(100 * state.mesh_voxel).toFixed(0)} cm`);
   }

@@ -6,6 +6,8 @@ export interface Words { mood: Mood; sign: string; text: string; notes: string[]
 
 const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
+export const counted = (count: number, what: string) => `${count.toLocaleString("en")} ${what}${count === 1 ? "" : "s"}`;
+
 function ofFrame(model: Model): [Mood, string, string] {
   const frame = model.last;
   if (!frame) return ["quiet", "○", "Waiting for the first frame"];
