@@ -90,6 +90,8 @@ class FrameSource {
   virtual std::optional<int> expected_frame_count() const { return frame_count(); }
   /// Times of all these frames [s]; nothing if they are not known without reading the frames.
   virtual std::optional<std::vector<double>> frame_times() const { return std::nullopt; }
+  /// Names of the colour images of these frames (SourceFrame::name), where they are files; else empty.
+  virtual std::vector<std::string> frame_names() const { return {}; }
 
   /// The cameras as the source knows them; nothing if it does not.
   virtual std::optional<RgbdCameras> cameras() const = 0;

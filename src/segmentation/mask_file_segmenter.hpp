@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "segmentation/mask_list.hpp"
@@ -17,6 +18,9 @@ class MaskFileSegmenter final : public Segmenter {
   /// `folder`: see list_masks(). Throws Error as that does; the masks themselves are read when they are asked
   /// for.
   explicit MaskFileSegmenter(const std::filesystem::path& folder);
+
+  /// `masks`: of the frames, by time, as find_frame_masks() gives them.
+  explicit MaskFileSegmenter(std::vector<MaskFile> masks) : masks_(std::move(masks)) {}
 
   /// Pixels of 128 and above are dynamic. Files are PNGs with one channel of up to 8 bits and the size of the
   /// colour image.

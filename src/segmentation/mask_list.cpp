@@ -28,18 +28,10 @@ std::vector<MaskFile> listed_masks(const fs::path& folder, const fs::path& list)
 }
 
 std::vector<MaskFile> named_masks(const fs::path& folder) {
-  std::error_code problem;
   std::vector<MaskFile> masks;
-  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
-       entry.increment(problem)) {
-    const fs::path& path = entry->path();
-    if (path.extension() != ".png") continue;
-    const std::optional<double> time = parse_number(path.stem().string());
-    if (time && std::isfinite(*time)) masks.push_back({*time, path, 0});
+  for (const fs::path& path : mask_files(folder)) {
+    if (const auto time = time_of_mask(path)) masks.push_back({*time, path, 0});
   }
-  if (problem)
-    throw Error(folder.string(), "cannot be read (" + problem.message() + ")",
-                "check the path and its permissions");
   // The names decide between equal times, so that the message is the same on every file system.
   std::sort(masks.begin(), masks.end(), [](const MaskFile& a, const MaskFile& b) {
     return std::pair(a.timestamp, a.path) < std::pair(b.timestamp, b.path);
@@ -55,13 +47,50 @@ std::vector<MaskFile> named_masks(const fs::path& folder) {
   return masks;
 }
 
+void check_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return;
+  throw Error(folder.string(), "is not a folder", "give the folder that holds the masks");
+}
+
 }  // namespace
 
-std::vector<MaskFile> list_masks(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) {
-    throw Error(folder.string(), "is not a folder", "give the folder that holds the masks");
+std::vector<fs::path> mask_files(const fs::path& folder) {
+  check_folder(folder);
+  std::error_code problem;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    if (entry->path().extension() == ".png") files.push_back(entry->path());
   }
+  if (problem)
+    throw Error(folder.string(), "cannot be read (" + problem.message() + ")",
+                "check the path and its permissions");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::optional<double> time_of_mask(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const auto time = parse_number(stem);
+  if (!time || !std::isfinite(*time)) return std::nullopt;
+  const bool whole = stem.find_first_not_of("0123456789") == std::string::npos;
+  if (!whole) return time;
+  switch (stem.size()) {
+    case 13:
+      return *time * 1e-3;
+    case 16:
+      return *time * 1e-6;
+    case 19:
+      return *time * 1e-9;
+    default:
+      return time;
+  }
+}
+
+std::vector<MaskFile> list_masks(const fs::path& folder) {
+  check_folder(folder);
+  std::error_code ignored;
   const fs::path list = folder / "mask.txt";
   std::vector<MaskFile> masks = fs::exists(list, ignored) ? listed_masks(folder, list) : named_masks(folder);
   if (masks.empty()) throw Error(folder.string(), "holds no masks", kLayout);

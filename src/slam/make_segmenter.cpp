@@ -17,6 +17,7 @@ std::unique_ptr<Segmenter> upright(std::unique_ptr<Segmenter> network, int rotat
 std::unique_ptr<Segmenter> make_source(const Settings& settings, const SegmenterFiles& files, int rotation) {
   switch (settings.segmentation.source) {
     case SegmentationSource::masks:
+      if (files.found_masks) return std::make_unique<MaskFileSegmenter>(*files.found_masks);
       return std::make_unique<MaskFileSegmenter>(files.masks);
     case SegmentationSource::network:
       return upright(make_weights_segmenter(files.weights, settings.network, files.dynamic_classes),

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "segmentation/mask_list.hpp"
 #include "segmentation/segmenter.hpp"
 #include "slam/settings.hpp"
 
@@ -14,6 +16,8 @@ namespace stdc {
 struct SegmenterFiles {
   std::filesystem::path weights;  ///< of the network, .safetensors or .onnx; empty: those that ship
   std::filesystem::path masks;    ///< folder of mask images
+  std::optional<std::vector<MaskFile>>
+      found_masks;                           ///< those in it that belong to the frames, if it is known
   std::vector<std::string> dynamic_classes;  ///< of the network, by name; empty: as the weights say
 };
 

@@ -60,8 +60,10 @@ Inputs open_inputs(const AblationCommandOptions& options, const std::vector<Abla
     for (const AblationColumn& column : columns) {
       const SegmentationSource source = column.settings.segmentation.source;
       if (source == SegmentationSource::off) continue;
-      chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation);
-      if (source == SegmentationSource::masks) check_masks(mask_folder(column.segmentation, folder), input);
+      if (source == SegmentationSource::masks)
+        masks_of_input(mask_folder(column.segmentation, folder), input);
+      else
+        chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation);
       break;  // the others have their masks from the same place
     }
   }
@@ -97,8 +99,12 @@ std::shared_ptr<const nlohmann::ordered_json> page_run(const SequenceInput& inpu
 AblationCell run_column(const SequenceInput& input, const std::string& folder,
                         const AblationCommandOptions& options, const AblationColumn& column,
                         const InterruptWatch& interrupts, std::set<std::string>& warnings) {
+  std::optional<std::vector<MaskFile>> masks;
+  if (column.settings.segmentation.source == SegmentationSource::masks)
+    masks = masks_of_input(mask_folder(column.segmentation, folder), input);
   Slam slam(input.camera, column.settings,
-            chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation));
+            chosen_segmenter(column.segmentation, column.settings, folder, input.camera.rotation,
+                             std::move(masks)));
   RunRecord record;
   track_frames(
       input,

@@ -1,5 +1,7 @@
 #include "commands/segmentation_options.hpp"
 
+#include <utility>
+
 #include "core/error.hpp"
 #include "slam/make_segmenter.hpp"
 #include "slam/settings_io.hpp"
@@ -22,8 +24,8 @@ void add_segmentation_options(Command command, SegmentationOptions& options) {
       .type_name("off|network|masks");
   command.add_option(
       "--masks", options.masks,
-      "Folder of mask images named like the colour images, above 127 = dynamic; default: mask/ "
-      "in the sequence");
+      "Folder of mask images, above 127 = dynamic, named like the colour images, by their times or by "
+      "the frames' numbers; default: mask/ in the sequence");
   command.add_option(
       "--weights", options.weights,
       "Weights of the network, or slim: smaller ones that ship; default: the full ones that ship");
@@ -70,10 +72,14 @@ std::filesystem::path mask_folder(const SegmentationOptions& options, const std:
 }
 
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
-                                            const std::filesystem::path& sequence, int rotation) {
-  return make_segmenter(
-      settings, {options.weights.value_or(""), mask_folder(options, sequence), options.dynamic_classes},
-      rotation);
+                                            const std::filesystem::path& sequence, int rotation,
+                                            std::optional<std::vector<MaskFile>> masks) {
+  SegmenterFiles files;
+  files.weights = options.weights.value_or("");
+  files.masks = mask_folder(options, sequence);
+  files.found_masks = std::move(masks);
+  files.dynamic_classes = options.dynamic_classes;
+  return make_segmenter(settings, files, rotation);
 }
 
 }  // namespace stdc::app

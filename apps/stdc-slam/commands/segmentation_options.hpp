@@ -8,6 +8,7 @@
 
 #include "commands/command.hpp"
 #include "core/image_codec.hpp"
+#include "segmentation/mask_list.hpp"
 #include "segmentation/segmenter.hpp"
 #include "slam/settings.hpp"
 
@@ -35,8 +36,10 @@ ColourMode colour_mode(const Settings& settings);
 std::filesystem::path mask_folder(const SegmentationOptions& options, const std::filesystem::path& sequence);
 /// The segmenter that the settings ask for; null if segmentation is off.
 /// @param rotation  Camera::rotation
+/// @param masks     those of mask_folder() that belong to the frames, if that is known
 /// Throws Error if its weights or masks are missing or wrong.
 std::unique_ptr<Segmenter> chosen_segmenter(const SegmentationOptions& options, const Settings& settings,
-                                            const std::filesystem::path& sequence, int rotation);
+                                            const std::filesystem::path& sequence, int rotation,
+                                            std::optional<std::vector<MaskFile>> masks = {});
 
 }  // namespace stdc::app

@@ -37,6 +37,21 @@ TEST_F(SemanticCommandLine, RunTakesMasksFromFiles) {
   EXPECT_TRUE(contains(content(folder_ / "o/frames.csv"), ",0.3125,0,"));
 }
 
+TEST_F(SemanticCommandLine, RunFindsMasksByTheNumberOfTheFrameAndSaysHowManyThereAre) {
+  make_sequence();
+  cv::Mat mask(240, 320, CV_8UC1, cv::Scalar(0));
+  mask.colRange(0, 100) = 255;
+  for (int i = 1; i <= 12; ++i) {
+    if (i != 5) folder_.write(fmt::format("m/frame-{:06d}.png", i), encode_png(mask, PngEffort::fast));
+  }
+  const Outcome outcome = call("run s --output o --masks m --refinement off --quiet");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "m: 11 of 12 images have a mask, found by number, counted from 1"))
+      << outcome.err;
+  const auto summary = nlohmann::json::parse(content(folder_ / "o/summary.json"));
+  EXPECT_EQ(summary["segmentation"]["segmented_frames"], 11);
+}
+
 TEST_F(SemanticCommandLine, ADamagedMaskCostsThatMaskOnly) {
   make_sequence();
   make_masks(12);

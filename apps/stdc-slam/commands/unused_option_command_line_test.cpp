@@ -135,7 +135,7 @@ TEST_F(UnusedOption, AblationRefusesBeforeAnyWork) {
   expect_refusal("ablation s --output o --quiet --masks-from masks", "s/mask: ");
   folder_.write("s/mask/5.000000.png", encode_png(cv::Mat(240, 320, CV_8UC1, cv::Scalar(0))));
   expect_refusal("ablation s --output o --quiet --masks-from masks",
-                 "none of its 1 masks has the time of an image");
+                 "none of its 1 masks has the name, time or number of an image");
   expect_refusal(std::string("ablation s other/s --output o --quiet --weights ") + STDC_TEST_WEIGHTS,
                  "other/s: has the same name as s");
 }

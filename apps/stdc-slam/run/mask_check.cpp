@@ -5,14 +5,47 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "segmentation/frame_masks.hpp"
 #include "segmentation/mask_file_segmenter.hpp"
 
 namespace stdc::app {
 
-void check_masks(const std::filesystem::path& folder, const SequenceInput& input) {
-  const std::vector<MaskFile> masks = list_masks(folder);
-  const std::optional<std::vector<double>> times = input.frame_times();
-  if (times) check_masks(folder, masks, *times);
+namespace {
+
+constexpr const char* kMaskHint =
+    "name the masks like the colour images, by their times or numbers, or give the folder that belongs to "
+    "the sequence";
+
+std::string image_names(const std::vector<MaskedFrame>& frames) {
+  const auto name = [](const MaskedFrame& frame) {
+    return frame.name.empty() ? fmt::format("{:.6f}", frame.timestamp) : frame.name;
+  };
+  return fmt::format("{} to {}", name(frames.front()), name(frames.back()));
+}
+
+}  // namespace
+
+std::optional<std::vector<MaskFile>> masks_of_input(const std::filesystem::path& folder,
+                                                    const SequenceInput& input) {
+  const auto frames = input.masked_frames();
+  if (!frames || frames->empty()) {
+    list_masks(folder);
+    return std::nullopt;
+  }
+  FrameMasks found = find_frame_masks(folder, *frames);
+  if (found.files == 0) list_masks(folder);  // says what is expected
+  if (found.masks.empty()) {
+    throw Error(folder.string(),
+                fmt::format("none of its {} masks has the name, time or number of an image (images: {})",
+                            found.files, image_names(*frames)),
+                kMaskHint);
+  }
+  const bool guessed = found.found_by.starts_with("number");
+  if (guessed || found.masks.size() < frames->size()) {
+    fmt::print(stderr, "stdc-slam: {}: {} of {} images have a mask, found by {}\n", folder.string(),
+               found.masks.size(), frames->size(), found.found_by);
+  }
+  return std::move(found.masks);
 }
 
 void check_masks(const std::filesystem::path& folder, const std::vector<MaskFile>& masks,
@@ -26,7 +59,7 @@ void check_masks(const std::filesystem::path& folder, const std::vector<MaskFile
       fmt::format("none of its {} masks has the time of an image (masks: {:.3f} to {:.3f} s, images: {:.3f} "
                   "to {:.3f} s)",
                   masks.size(), masks.front().timestamp, masks.back().timestamp, times.front(), times.back()),
-      "name the masks like the colour images, or give the folder that belongs to the sequence");
+      kMaskHint);
 }
 
 }  // namespace stdc::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "run/sequence_input.hpp"
@@ -8,11 +9,12 @@
 
 namespace stdc::app {
 
-/// Throws Error if no mask of a folder has the time of an image of the sequence: they would be passed over
-/// frame by frame. Also as list_masks() does. Where the times are not known before the frames are read, only
-/// that.
-void check_masks(const std::filesystem::path& folder, const SequenceInput& input);
-/// The same with the times of the images [s].
+/// The masks of a folder that belong to the chosen frames of an input, see find_frame_masks(); says on stderr
+/// if only some of the frames have one, or if they were found by numbers. Throws Error if none has: they
+/// would be passed over frame by frame. Where the frames are not known before they are read: nothing.
+std::optional<std::vector<MaskFile>> masks_of_input(const std::filesystem::path& folder,
+                                                    const SequenceInput& input);
+/// Throws Error if no mask has one of these times [s].
 void check_masks(const std::filesystem::path& folder, const std::vector<MaskFile>& masks,
                  const std::vector<double>& times);
 

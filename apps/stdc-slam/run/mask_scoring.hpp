@@ -1,7 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "evaluation/mask_score.hpp"
@@ -19,8 +19,8 @@ struct MaskRunScore {
 /// The masks of --true-masks: compares the mask of what moves of each frame with the true one of its time.
 class MaskScoring : public FrameObserver {
  public:
-  /// Throws Error if the folder holds no masks.
-  explicit MaskScoring(const std::filesystem::path& folder) : truth_(list_masks(folder)) {}
+  /// `truth`: by time, as list_masks() or find_frame_masks() gives them.
+  explicit MaskScoring(std::vector<MaskFile> truth) : truth_(std::move(truth)) {}
 
   /// The result must have its mask. Throws Error for a true mask that cannot be read or has another size.
   void on_frame(const ObservedFrame& frame) override;

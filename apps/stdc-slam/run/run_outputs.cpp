@@ -26,8 +26,8 @@ RunOutputs::RunOutputs(const RunOptions& options, const Settings& settings, cons
   if (options.debug_images) pictures.emplace(*options.debug_images, options.debug_every, settings.features);
   if (options.save_masks) masks.emplace(*options.save_masks);
   if (options.true_masks) {
-    check_masks(*options.true_masks, input);
-    mask_scoring.emplace(*options.true_masks);
+    auto truth = masks_of_input(*options.true_masks, input);
+    mask_scoring.emplace(truth ? std::move(*truth) : list_masks(*options.true_masks));
   }
 }
 

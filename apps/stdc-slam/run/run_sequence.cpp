@@ -98,11 +98,11 @@ Settings run_settings(const RunOptions& options) {
 
 std::unique_ptr<Segmenter> run_segmenter(const RunOptions& options, const Settings& settings,
                                          const SequenceInput& input) {
-  auto segmenter =
-      chosen_segmenter(options.segmentation, settings, options.input.path, input.camera.rotation);
+  std::optional<std::vector<MaskFile>> masks;
   if (settings.segmentation.source == SegmentationSource::masks)
-    check_masks(mask_folder(options.segmentation, options.input.path), input);
-  return segmenter;
+    masks = masks_of_input(mask_folder(options.segmentation, options.input.path), input);
+  return chosen_segmenter(options.segmentation, settings, options.input.path, input.camera.rotation,
+                          std::move(masks));
 }
 
 }  // namespace

@@ -103,4 +103,16 @@ std::optional<std::vector<double>> SequenceInput::frame_times() const {
   return std::vector<double>(first, times->begin() + std::min(range_.end.value_or(count), count));
 }
 
+std::optional<std::vector<MaskedFrame>> SequenceInput::masked_frames() const {
+  const auto times = frame_times();
+  if (!times) return std::nullopt;
+  const std::vector<std::string> names = source_->frame_names();
+  std::vector<MaskedFrame> frames;
+  for (const double time : *times) {
+    const std::size_t number = static_cast<std::size_t>(range_.first) + frames.size();
+    frames.push_back({time, number < names.size() ? names[number] : "", static_cast<int>(number)});
+  }
+  return frames;
+}
+
 }  // namespace stdc::app

@@ -10,6 +10,7 @@
 #include "input/open_source.hpp"
 #include "input/trajectory.hpp"
 #include "run/frame_range.hpp"
+#include "segmentation/frame_masks.hpp"
 
 namespace stdc::app {
 
@@ -64,6 +65,8 @@ class SequenceInput {
   std::optional<int> expected_frame_count() const;
   /// Times of the chosen frames [s], if they are known without reading them.
   std::optional<std::vector<double>> frame_times() const;
+  /// What masks of the chosen frames may be named by, if their times are known.
+  std::optional<std::vector<MaskedFrame>> masked_frames() const;
 
   std::string name;  ///< of the folder or file
   RgbdCameras cameras;

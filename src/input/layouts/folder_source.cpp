@@ -54,6 +54,13 @@ std::optional<std::vector<double>> FolderSource::frame_times() const {
   return times;
 }
 
+std::vector<std::string> FolderSource::frame_names() const {
+  std::vector<std::string> names;
+  names.reserve(contents_.frames.size());
+  for (const FolderFrame& frame : contents_.frames) names.push_back(frame.colour.path.stem().string());
+  return names;
+}
+
 std::optional<GroundTruth> FolderSource::ground_truth() const {
   if (!contents_.read_truth) return std::nullopt;
   return contents_.read_truth();

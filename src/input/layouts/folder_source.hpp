@@ -42,6 +42,7 @@ class FolderSource final : public FrameSource {
   void rewind() override { at_ = 0; }
   std::optional<int> frame_count() const override { return static_cast<int>(contents_.frames.size()); }
   std::optional<std::vector<double>> frame_times() const override;
+  std::vector<std::string> frame_names() const override;
   std::optional<RgbdCameras> cameras() const override { return contents_.cameras; }
   std::string camera_hint() const override { return contents_.camera_hint; }
   std::optional<GroundTruth> ground_truth() const override;
