@@ -56,7 +56,36 @@ foreach(layer IN LISTS layers)
   endforeach()
 endforeach()
 list(REMOVE_DUPLICATES STDC_PRIVATE_LIBRARIES)
-target_link_libraries(stdc_slam_package PRIVATE fmt::fmt ${STDC_PRIVATE_LIBRARIES})
+target_link_libraries(stdc_slam_package PRIVATE ${STDC_PRIVATE_LIBRARIES})
+
+# An archive holds only this project's code: who links it needs the libraries that the layers use. This gives what
+# finds them again: packages for CMake's file, names of files for pkg-config's.
+function(stdc_describe_private_libraries packages_name files_name)
+  set(packages "")
+  set(files "")
+  foreach(library IN LISTS STDC_PRIVATE_LIBRARIES)
+    if(NOT TARGET ${library})
+      string(REGEX REPLACE "^([a-z].*)$" "-l\\1" library ${library})
+      string(APPEND files " ${library}")
+      continue()
+    endif()
+    get_target_property(kind ${library} TYPE)
+    if(NOT kind STREQUAL "INTERFACE_LIBRARY")  # those have headers alone
+      string(APPEND files " $<TARGET_LINKER_FILE:${library}>")
+    endif()
+    if(NOT library MATCHES "^opencv_")
+      string(REGEX REPLACE "^SQLite::|^DNNL::|::.*$" "" package ${library})  # the name before ::, but for these two
+      string(APPEND packages "find_dependency(${package})\n")
+    endif()
+  endforeach()
+  set(${packages_name} "${packages}" PARENT_SCOPE)
+  set(${files_name} "${files}" PARENT_SCOPE)
+endfunction()
+set(STDC_STATIC_PACKAGES "")
+set(STDC_STATIC_LIBRARIES "")
+if(NOT BUILD_SHARED_LIBS)
+  stdc_describe_private_libraries(STDC_STATIC_PACKAGES STDC_STATIC_LIBRARIES)
+endif()
 
 if(NOT STDC_INSTALL)
   set_target_properties(stdc_slam_package PROPERTIES EXCLUDE_FROM_ALL ON)
@@ -89,7 +118,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam-config.cmake
   DESTINATION ${STDC_CMAKE_FOLDER} COMPONENT dev)
 list(GET OpenCV_INCLUDE_DIRS 0 STDC_OPENCV_INCLUDE)
 file(RELATIVE_PATH STDC_PREFIX_FROM_PKGCONFIG ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-configure_file(cmake/stdc_slam.pc.in stdc_slam.pc @ONLY)
+configure_file(cmake/stdc_slam.pc.in stdc_slam.pc.in @ONLY)
+file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam.pc INPUT ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam.pc.in)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/stdc_slam.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
 # --- program ---
