@@ -77,7 +77,8 @@ void NetworkBuilder::convolution_into(const ConvolutionWeights& layer, const Act
     return;
   }
   const auto direct = std::make_shared<DirectConvolution>(layer, source.view(), target.view(), complete);
-  add(layer.name, "own direct", count, [direct] { direct->run(); });
+  const bool dots = DirectConvolution::has_dot_products(source.view());
+  add(layer.name, dots ? "own dot products" : "own direct", count, [direct] { direct->run(); });
 }
 
 void NetworkBuilder::average_pool(const std::string& name, const Activation& source,

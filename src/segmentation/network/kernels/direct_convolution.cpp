@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "segmentation/network/kernels/direct_kernel.hpp"
+#include "segmentation/network/kernels/dot_kernel.hpp"
 #include "segmentation/network/kernels/quantised_weights.hpp"
 
 namespace stdc {
@@ -25,14 +26,36 @@ void order_weights(const ConvolutionWeights& layer, const From* from, To* to) {
   }
 }
 
+/// [output][input][tap] to the order of the dot products, and for each output what levels - 128 leave out.
+void order_for_dot_products(const ConvolutionWeights& layer, const std::int8_t* from, std::int8_t* to,
+                            std::int32_t* sums) {
+  const int taps = layer.kernel * layer.kernel;
+  for (int o = 0; o < layer.outputs; ++o) {
+    for (int tap = 0; tap < taps; ++tap) {
+      for (int i = 0; i < layer.inputs; ++i) {
+        const std::int8_t weight = from[static_cast<std::size_t>((o * layer.inputs + i) * taps + tap)];
+        const int four = (o / kDirectStrip * taps + tap) * layer.inputs / 4 + i / 4;
+        to[static_cast<std::size_t>((four * kDirectStrip + o % kDirectStrip) * 4 + i % 4)] = weight;
+        sums[o] += 128 * weight;
+      }
+    }
+  }
+}
+
 std::size_t aligned_size(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
 
 }  // namespace
 
 struct DirectConvolution::Implementation {
   DirectJob job;
+  std::vector<std::int32_t> dot_sums;  ///< of run_dot_convolution(), if that is the kernel
   std::shared_ptr<void> memory;
 };
+
+bool DirectConvolution::has_dot_products(const TensorView& source) {
+  return source.type == ElementType::u8 && source.channels_last() &&
+         source.shape.channels % kDotChannels == 0 && has_dot_product();
+}
 
 DirectConvolution::DirectConvolution(const ConvolutionWeights& layer, const TensorView& source,
                                      const TensorView& target, const ConvolutionOptions& options)
@@ -56,7 +79,14 @@ DirectConvolution::DirectConvolution(const ConvolutionWeights& layer, const Tens
   std::copy(layer.bias.begin(), layer.bias.end(), bias);
   if (levels) {
     const QuantisedWeights quantised = quantise(layer, options.weight_levels);
-    order_weights(layer, quantised.levels.data(), reinterpret_cast<std::int16_t*>(weights));
+    if (has_dot_products(source)) {
+      own.dot_sums.assign(padded, 0);
+      auto* const ordered = reinterpret_cast<std::int8_t*>(weights);
+      std::fill_n(ordered, weight_bytes, std::int8_t{0});  // of outputs beyond the last
+      order_for_dot_products(layer, quantised.levels.data(), ordered, own.dot_sums.data());
+    } else {
+      order_weights(layer, quantised.levels.data(), reinterpret_cast<std::int16_t*>(weights));
+    }
     const float target_scale = target.type == ElementType::u8 ? options.target_scale : 1;
     for (std::size_t o = 0; o < layer.bias.size(); ++o) {
       scale[o] = options.source_scale * quantised.scales[o] / target_scale;
@@ -71,6 +101,13 @@ DirectConvolution::DirectConvolution(const ConvolutionWeights& layer, const Tens
 
 DirectConvolution::~DirectConvolution() = default;
 
-void DirectConvolution::run() { run_direct_convolution(implementation_->job); }
+void DirectConvolution::run() {
+  const Implementation& own = *implementation_;
+  if (own.dot_sums.empty()) {
+    run_direct_convolution(own.job);
+  } else {
+    run_dot_convolution(own.job, own.dot_sums.data());
+  }
+}
 
 }  // namespace stdc

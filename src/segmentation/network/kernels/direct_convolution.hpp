@@ -12,6 +12,9 @@ namespace stdc {
 /// SVE. Any kernel, stride and layout. The sums of levels are exact. One thread.
 class DirectConvolution {
  public:
+  /// True if levels of this layout are multiplied by ARM's dot product instructions.
+  static bool has_dot_products(const TensorView& source);
+
   /// The target's numbers are those of DnnlConvolution.
   DirectConvolution(const ConvolutionWeights& layer, const TensorView& source, const TensorView& target,
                     const ConvolutionOptions& options);

@@ -57,17 +57,17 @@ float quantised_output(const ConvolutionWeights& layer, const QuantisedWeights& 
 }
 
 TEST(DirectConvolution, SumsOfLevelsAreThoseOfTheDefinition) {
-  for (const auto& [outputs, inputs] : {std::pair{24, 16}, {16, 3}, {7, 5}}) {
+  for (const auto& [outputs, inputs] : {std::pair{24, 16}, {20, 48}, {16, 3}, {7, 5}}) {
     for (const auto& [kernel, stride] : {std::pair{1, 1}, {3, 1}, {3, 2}}) {
       const ConvolutionWeights layer = test::random_layer(outputs, inputs, kernel, stride, 4);
       ConvolutionOptions options = test::same_padding(layer);
       options.source_scale = 0.02F, options.relu = stride == 1;
       const QuantisedWeights quantised = quantise(layer, options.weight_levels);
       TensorArena arena;
-      const Filled source = test::fill(arena, {inputs, 11, 19}, ElementType::u8, inputs, 0.02F, 255);
+      const Filled source = test::fill(arena, {inputs, 11, 23}, ElementType::u8, inputs, 0.02F, 255);
       test::on_every_target([&] {
         const Tensor target =
-            arena.make({outputs, (10 + stride) / stride, (18 + stride) / stride}, ElementType::f32, outputs);
+            arena.make({outputs, (10 + stride) / stride, (22 + stride) / stride}, ElementType::f32, outputs);
         DirectConvolution convolution(layer, source.tensor.view, target.view, options);
         convolution.run();
         int wrong = 0;

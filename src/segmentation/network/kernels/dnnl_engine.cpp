@@ -3,6 +3,7 @@
 
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
 #include "segmentation/network/kernels/dnnl_kernels.hpp"
+#include "segmentation/network/kernels/dot_kernel.hpp"
 
 namespace stdc {
 
@@ -57,8 +58,9 @@ int DnnlEngine::preferred_block() {
 std::string DnnlEngine::description() {
   const dnnl_version_t* version = dnnl_version();
   if (!has_fast_kernels()) {
-    return fmt::format("own kernels (oneDNN {}.{}.{} has none for this processor)", version->major,
-                       version->minor, version->patch);
+    return fmt::format("own kernels{} (oneDNN {}.{}.{} has none for this processor)",
+                       has_dot_product() ? " with dot products" : "", version->major, version->minor,
+                       version->patch);
   }
   const char* isa = "newer";
   switch (dnnl::get_effective_cpu_isa()) {

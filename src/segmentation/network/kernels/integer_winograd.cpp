@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "segmentation/network/kernels/direct_convolution.hpp"
 #include "segmentation/network/kernels/integer_winograd_kernel.hpp"
 #include "segmentation/network/kernels/quantised_weights.hpp"
 
@@ -84,6 +85,7 @@ bool IntegerWinograd::suits(const ConvolutionWeights& layer, const TensorView& s
   // The transformed weights have 3.6 times as many bytes: with fewer outputs it takes as long to fetch them.
   constexpr std::size_t kMinOutputs = 256;
   if (target.shape.pixels() < kMinOutputs) return false;
+  if (DirectConvolution::has_dot_products(source) && !DnnlEngine::has_fast_kernels()) return false;
   return fits(layer, source, target) &&
          (DnnlEngine::activation_levels() < kAllLevels || !DnnlEngine::has_fast_kernels());
 }
