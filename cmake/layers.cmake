@@ -27,6 +27,10 @@ set(STDC_UNITED_TESTS 6)
 
 # Tests are compiled with little optimisation: more costs twice the compile time and gains little.
 set(STDC_TEST_OPTIONS "$<$<CONFIG:Release>:-O1>")
+if(CMAKE_POSITION_INDEPENDENT_CODE)
+  # CMake would say -fPIE for programs, and their precompiled headers are those of the libraries of helpers.
+  list(APPEND STDC_TEST_OPTIONS -fPIC)
+endif()
 
 # Takes the tests that need rendered frames, which they include, off a list if the renderer is not built.
 function(stdc_leave_out_rendered_tests list_name)
@@ -95,6 +99,11 @@ function(stdc_add_layer name)
   list(FILTER helpers INCLUDE REGEX "/test_[^/]*\\.cpp$")
   stdc_leave_out_rendered_tests(tests)
   stdc_leave_out_rendered_tests(helpers)
+  foreach(library IN LISTS LAYER_TEST_DEPENDS)
+    if(library MATCHES "_testing$" AND NOT TARGET ${library})
+      list(REMOVE_ITEM LAYER_TEST_DEPENDS ${library})  # all of it was left out
+    endif()
+  endforeach()
   if(sources)
     add_library(stdc_${name} STATIC ${sources})
     target_link_libraries(stdc_${name} PUBLIC stdc_options ${LAYER_DEPENDS})

@@ -25,7 +25,7 @@ Camera camera() {
 }
 
 /// A textured wall at 3 m with a box at 1 m before it, which moves by 2 pixels a frame.
-struct Scene {
+struct BoxBeforeWall {
   static cv::Rect box(int frame) { return {20 + 2 * frame, 30, 40, 60}; }
 
   static RgbdImage image(int frame) {
@@ -63,7 +63,7 @@ class FakeSegmenter : public Segmenter {
       : change_(std::move(change)), pause_(milliseconds) {}
   cv::Mat segment(const SegmenterInput& input) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause_));
-    return change_(input.frame, Scene::truth(input.frame));
+    return change_(input.frame, BoxBeforeWall::truth(input.frame));
   }
 
  private:
@@ -78,7 +78,7 @@ std::vector<DynamicMask> run_masks(const SegmentationSettings& settings, int fra
   SemanticThread thread(camera(), settings, {}, {}, std::make_unique<FakeSegmenter>(change, milliseconds));
   std::vector<DynamicMask> masks;
   for (int frame = 0; frame < frames; ++frame) {
-    const RgbdImage image = Scene::image(frame);
+    const RgbdImage image = BoxBeforeWall::image(frame);
     thread.begin(image, image.colour, frame);
     masks.push_back(thread.finish());
     masks.back().mask = masks.back().mask.clone();
@@ -96,19 +96,19 @@ TEST(SemanticThread, EveryFrameGetsItsOwnMask) {
     const DynamicMask& mask = masks[static_cast<std::size_t>(frame)];
     EXPECT_EQ(mask.report.mask_age, 0);
     EXPECT_TRUE(mask.report.segmentation_ms);
-    EXPECT_EQ(cv::countNonZero(mask.mask != Scene::truth(frame)), 0);
+    EXPECT_EQ(cv::countNonZero(mask.mask != BoxBeforeWall::truth(frame)), 0);
     EXPECT_NEAR(mask.report.dynamic_share, 40.0 * 60 / (kWidth * kHeight), 1e-9);
   }
 }
 
 TEST(SemanticThread, RefinesWhatTheSegmenterMissed) {
   const auto halved = [](int frame, cv::Mat mask) {
-    const cv::Rect box = Scene::box(frame);
+    const cv::Rect box = BoxBeforeWall::box(frame);
     mask(cv::Rect(box.x, box.y, 6, box.height)) = 0;
     return mask;
   };
   const auto refined = run_masks({.pace = SegmentationPace::every_frame}, 1, halved);
-  EXPECT_EQ(cv::countNonZero(refined[0].mask != Scene::truth(0)), 0);
+  EXPECT_EQ(cv::countNonZero(refined[0].mask != BoxBeforeWall::truth(0)), 0);
   const auto raw = run_masks({.pace = SegmentationPace::every_frame, .refinement = false}, 1, halved);
   EXPECT_EQ(cv::countNonZero(raw[0].mask), 34 * 60);
 }
@@ -119,7 +119,7 @@ TEST(SemanticThread, AMissingMaskIsCarriedFromTheFrameBefore) {
   for (int frame = 0; frame < 6; ++frame) {
     const DynamicMask& mask = masks[static_cast<std::size_t>(frame)];
     EXPECT_EQ(mask.report.mask_age, frame % 3 == 1 ? 1 : 0);
-    EXPECT_GT(overlap(mask.mask, Scene::truth(frame)), 0.8) << frame;
+    EXPECT_GT(overlap(mask.mask, BoxBeforeWall::truth(frame)), 0.8) << frame;
   }
 }
 
@@ -128,7 +128,7 @@ TEST(SemanticThread, AsynchronousMasksHaveTheAgesThatFrameCountsSay) {
   const std::vector<int> ages{0, 1, 2, 3, 3, 4, 5, 3, 4, 5, 3};
   for (std::size_t i = 0; i < ages.size(); ++i) {
     EXPECT_EQ(masks[i].report.mask_age, ages[i]) << i;
-    EXPECT_GT(overlap(masks[i].mask, Scene::truth(static_cast<int>(i))), 0.75) << i;
+    EXPECT_GT(overlap(masks[i].mask, BoxBeforeWall::truth(static_cast<int>(i))), 0.75) << i;
   }
 }
 
@@ -168,7 +168,7 @@ TEST(SemanticThread, ADepthImageMayBeMissing) {
   for (const auto pace : {SegmentationPace::every_frame, SegmentationPace::asynchronous}) {
     SemanticThread thread(camera(), {.pace = pace}, {}, {}, std::make_unique<FakeSegmenter>(same));
     for (int frame = 0; frame < 6; ++frame) {
-      RgbdImage image = Scene::image(frame);
+      RgbdImage image = BoxBeforeWall::image(frame);
       if (frame > 1) image.depth.release();
       thread.begin(image, image.colour, frame);
       EXPECT_GT(thread.finish().report.dynamic_share, 0) << frame;
