@@ -9,6 +9,9 @@ target_link_libraries(stdc_options INTERFACE Eigen3::Eigen Threads::Threads)
 # bytes whichever instruction set the loop was dispatched to.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
   -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 17)
+  add_compile_options(-Wno-deprecated-declarations)  # std::stable_sort of libstdc++ 12 uses what C++17 deprecates
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   # NEON alone: vectors of SVE have no size, so there are no arrays of them. Eigen is not to fuse either.
   add_compile_definitions("HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
