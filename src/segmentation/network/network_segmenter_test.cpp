@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <cfenv>
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <thread>
@@ -11,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/test_folder.hpp"
+#include "segmentation/network/kernels/dnnl_convolution.hpp"
 #include "segmentation/network/test_random_weights.hpp"
 #include "segmentation/network/thread_state_guard.hpp"
 #include "segmentation/network/weights_segmenter.hpp"
@@ -95,6 +97,10 @@ TEST(NetworkSegmenter, TellsClassesAndProbabilities) {
 unsigned control_of_floats() {
 #if defined(__SSE2__)
   return _mm_getcsr() & ~63U;  // the lowest bits tell what has happened
+#elif defined(__aarch64__)
+  std::uint64_t control = 0;
+  __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+  return static_cast<unsigned>(control);
 #else
   return static_cast<unsigned>(std::fegetround());
 #endif
@@ -126,7 +132,7 @@ TEST(NetworkSegmenter, RefusesWhatItCannotTake) {
 
 TEST(NetworkSegmenter, TellsWhatComputes) {
   const NetworkSegmenter segmenter(kWeights, {NetworkPrecision::int8, 1, 96, 64});
-  EXPECT_EQ(segmenter.description().rfind("STDC1-Seg, int8, 96x64, oneDNN ", 0), 0U)
+  EXPECT_EQ(segmenter.description().rfind("STDC1-Seg, int8, 96x64, " + DnnlEngine::description(), 0), 0U)
       << segmenter.description();
   EXPECT_EQ(segmenter.description().find("checksum"), std::string::npos);
   const NetworkSegmenter unchecked(test::RandomWeights(false, {{4, 8}, {16, 16, 32}, 8, 16, 4, 8, 2}).read(),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <oneapi/dnnl/dnnl_config.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -32,22 +33,35 @@ bool variable_is(const char* name, std::string_view wanted) {
   return value != nullptr && strncasecmp(value, wanted.data(), wanted.size() + 1) == 0;
 }
 
+#if defined(__SSE2__)
+constexpr unsigned kDenormalsAreZero = 0x8040;  // as results and as operands
+unsigned float_control() { return _mm_getcsr(); }
+void set_float_control(unsigned control) { _mm_setcsr(control); }
+#elif defined(__aarch64__)
+constexpr unsigned kDenormalsAreZero = 1U << 24;  // FZ
+unsigned float_control() {
+  std::uint64_t control = 0;
+  __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+  return static_cast<unsigned>(control);
+}
+void set_float_control(unsigned control) { __asm__ volatile("msr fpcr, %0" : : "r"(std::uint64_t{control})); }
+#else
+constexpr unsigned kDenormalsAreZero = 0;
+unsigned float_control() { return 0; }
+void set_float_control(unsigned) {}
+#endif
+
 }  // namespace
 
 ThreadStateGuard::ThreadStateGuard(int threads) : threads_before_(omp_get_max_threads()) {
-#if defined(__SSE2__)
-  constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
-  control_ = _mm_getcsr();
-  _mm_setcsr(control_ | kFlushToZero | kDenormalsAreZero);
-#endif
+  control_ = float_control();
+  set_float_control(control_ | kDenormalsAreZero);
   omp_set_num_threads(threads);
 }
 
 ThreadStateGuard::~ThreadStateGuard() {
   omp_set_num_threads(threads_before_);
-#if defined(__SSE2__)
-  _mm_setcsr(control_);
-#endif
+  set_float_control(control_);
 }
 
 void ThreadStateGuard::check(int threads) {

@@ -18,7 +18,7 @@ class ThreadStateGuard {
   static void check(int threads);
 
  private:
-  unsigned control_ = 0;  ///< the SSE control and status register
+  unsigned control_ = 0;  ///< of the floating point unit
   int threads_before_ = 1;
 };
 
