@@ -49,6 +49,7 @@ struct FeatureExtractor::Implementation {
 
   FeatureSettings settings;
   std::shared_ptr<Pyramid> pyramid = std::make_shared<Pyramid>();
+  std::shared_ptr<Pyramid> earlier;  // that of the image before, for whose memory it is kept
   std::vector<int> budgets;
   std::vector<std::vector<Corner>> corners;  // by level, at T_L
   std::vector<PaddedImage> smoothed;         // by level
@@ -68,7 +69,8 @@ void FeatureExtractor::Implementation::check_detected(const char* what) const {
 void FeatureExtractor::Implementation::detect(const cv::Mat& grey) {
   check_image(grey, "FeatureExtractor::detect");
   // A frame that somebody still looks at keeps its pyramid.
-  if (pyramid.use_count() > 1) pyramid = std::make_shared<Pyramid>();
+  std::swap(pyramid, earlier);
+  if (!pyramid || pyramid.use_count() > 1) pyramid = std::make_shared<Pyramid>();
   pyramid->build(grey, settings);
   budgets = level_budgets(settings, pyramid->sizes());
   corners.resize(at(pyramid->levels()));

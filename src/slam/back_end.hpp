@@ -38,6 +38,8 @@ class BackEnd {
 
   /// No job has the atlas.
   bool idle() const { return !job_; }
+  /// A loop's correction has the atlas, for longer than any other job.
+  bool is_closing_loop() const { return job_ && job_->kind == JobKind::close_loop; }
   /// A job waits for the atlas: no keyframe is to be made before it.
   bool has_pending() const { return loop_.has_value() || bundle_state_ == BundleState::solved; }
   /// A job is under way, or waits.

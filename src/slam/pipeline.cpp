@@ -11,6 +11,9 @@ namespace stdc {
 
 namespace {
 
+/// With fewer left the camera may be lost before a loop is closed, during which there can be no keyframe.
+constexpr int kFewLandmarks = 50;
+
 TrackingSettings tracking_settings(const Settings& settings) {
   TrackingSettings tracking = settings.tracking;
   tracking.moving_groups = tracking.moving_groups && settings.motion.method == MotionMethod::map;
@@ -52,6 +55,7 @@ TrackingResult Pipeline::track(const RgbdImage& image) {
   if (result.status == TrackingStatus::ok) judge(frame, result);
   if (motion_) observe_motion(frame, result);
   extend_map(frame, result);
+  needs_keyframe_ = has_pose(result.status) && !is_wary() && frame.inliers < kFewLandmarks;
   if (dense_ && result.status == TrackingStatus::ok) note_dense(image, frame);
   describe(frame, result);
   if (settings_.system.report_keypoints || settings_.system.report_masks)
@@ -94,14 +98,17 @@ TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
   StageTimes& times = result.milliseconds;
   times.extraction = watch.lap_ms() - times.mask_wait - times.rejection;
   last_time_ = image.timestamp;
-  return {camera(), next_frame_++, image.timestamp, std::move(features), pyramid};
+  TrackedFrame frame(camera(), next_frame_++, image.timestamp, std::move(features), pyramid);
+  frame.grid_depths = tracker_.sample_depth(image.depth, {segmented_, moving_});
+  return frame;
 }
 
 /// The atlas comes back at the frame that was fixed when it was given away, or when tracking has been lost
-/// and needs all of it.
+/// and needs all of it. A loop's correction is not left to take its time when tracking is about to be lost.
 void Pipeline::collect(TrackingResult& result) {
   Stopwatch watch;
-  BackEndUpdate update = back_end_.collect(next_frame_ - 1, !tracker_.has_last());
+  const bool now = !tracker_.has_last() || (needs_keyframe_ && back_end_.is_closing_loop());
+  BackEndUpdate update = back_end_.collect(next_frame_ - 1, now);
   result.milliseconds.wait = watch.lap_ms();
   result.mapping = update.mapping;
   result.place_recognition_ms = update.place_recognition_ms;
@@ -138,7 +145,7 @@ TrackingStatus Pipeline::track_from_last(TrackedFrame& frame, StageTimes& times)
   if (back_end_.idle()) refresh_local_map(tracker_.last().landmarks);
   const TrackAttempt attempt = tracker_.track(frame, local_map_);
   times.prediction = attempt.prediction_ms;
-  times.local_map = attempt.local_map_ms;
+  times.local_map = attempt.local_map_ms + attempt.direct_ms;
   if (!attempt.tracked) {
     tracker_.clear_last();
     return TrackingStatus::lost;

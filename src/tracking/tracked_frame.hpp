@@ -17,7 +17,8 @@ struct TrackedFrame {
   int index = 0;         ///< of the input frame
   double timestamp = 0;  ///< [s]
   std::shared_ptr<const FrameFeatures> features;
-  std::shared_ptr<const Pyramid> pyramid;  ///< of the image, while the frame is being tracked
+  std::shared_ptr<const Pyramid> pyramid;  ///< of the image; no longer than the frame is the last one
+  std::vector<float> grid_depths;          ///< z [m] at DirectAligner's grid; empty: not to be aligned
   Pose cam_from_world;                     ///< when the middle row was read
   CameraMotion motion;                     ///< about that pose
   std::vector<Measurement> measurements;   ///< per keypoint
@@ -27,6 +28,8 @@ struct TrackedFrame {
   Matrix6d information = Matrix6d::Zero();  ///< of the pose, see PoseOptimisationResult
   /// The same of the landmarks alone that have been in the map for a while; nothing: all of them have.
   std::optional<Matrix6d> old_information;
+  std::optional<PosePrior>
+      aligned;      ///< pose found by direct alignment; it goes before that of the motion model
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation
                     ///< with the local map
   int inliers = 0;  ///< landmarks that agree with the pose in the end

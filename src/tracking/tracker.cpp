@@ -10,21 +10,68 @@
 namespace stdc {
 
 Tracker::Tracker(const PoseEstimator& estimator, const TrackingSettings& settings)
-    : estimator_(estimator), settings_(settings) {}
+    : estimator_(estimator), settings_(settings), aligner_(estimator.sensor.camera) {}
 
 TrackAttempt Tracker::track(TrackedFrame& frame, const LocalMap& local_map) {
   TrackAttempt attempt;
+  const std::size_t counted = counts_.size();
+  attempt.tracked = track_features(frame, local_map, attempt);
+  if (attempt.tracked || !settings_.direct_alignment || wary_) return attempt;
+  counts_.resize(counted);
+  Stopwatch watch;
+  attempt.tracked = track_directly(frame, local_map);
+  attempt.direct_ms = watch.lap_ms();
+  return attempt;
+}
+
+bool Tracker::track_features(TrackedFrame& frame, const LocalMap& local_map, TrackAttempt& attempt) {
   Stopwatch watch;
   std::vector<FrameMatch> matches = track_motion(frame, local_map);
   if (static_cast<int>(matches.size()) < settings_.min_inliers_motion)
     matches = track_reference(frame, local_map);
   attempt.prediction_ms = watch.lap_ms();
-  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) return attempt;
+  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) return false;
   frame.set_motion(camera(), velocity_to(frame));
-  attempt.tracked =
+  const bool tracked =
       refine(frame, local_map, std::move(matches), settings_.local_map_radius, settings_.min_inliers);
   attempt.local_map_ms = watch.lap_ms();
-  return attempt;
+  return tracked;
+}
+
+/// Where a fast turn blurs the image: the images' brightness as a whole gives the pose, and features are
+/// looked for from there. If there are still too few, the pose goes without landmarks.
+bool Tracker::track_directly(TrackedFrame& frame, const LocalMap& local_map) {
+  const auto aligned =
+      aligner_.align({last_->pyramid, last_->grid_depths}, {frame.pyramid, frame.grid_depths},
+                     predict(frame.timestamp) * last_->cam_from_world.inverse());
+  if (!aligned) return false;
+  const Pose cam_from_world = aligned->frame_from_last * last_->cam_from_world;
+  frame.aligned = PosePrior{cam_from_world, aligned->information};
+  frame.cam_from_world = cam_from_world;
+  frame.set_motion(camera(), velocity_to(frame));
+  std::vector<FrameMatch> matches = optimise(
+      frame, match_last_frame(camera(), local_map, *last_, frame, settings_.search_radius, settings_));
+  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) frame.cam_from_world = cam_from_world;
+  const std::size_t counted = counts_.size();
+  if (refine(frame, local_map, std::move(matches), settings_.local_map_radius, settings_.min_inliers))
+    return true;
+  counts_.resize(counted);
+  missing_.clear();
+  frame.cam_from_world = cam_from_world;
+  frame.information = aligned->information;
+  frame.set_motion(camera(), velocity_to(frame));
+  std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
+  std::fill(frame.outlier.begin(), frame.outlier.end(), 0);
+  std::fill(frame.dynamic.begin(), frame.dynamic.end(), 0);
+  frame.inliers = 0;
+  return true;
+}
+
+std::vector<float> Tracker::sample_depth(const cv::Mat& depth, std::initializer_list<cv::Mat> masks) const {
+  if (!settings_.direct_alignment) return {};
+  std::vector<float> depths = aligner_.sample(depth);
+  for (const cv::Mat& mask : masks) aligner_.forget(mask, depths);
+  return depths;
 }
 
 /// Constant velocity, scaled to the time that passed: frames may have been dropped.
@@ -41,6 +88,7 @@ std::optional<Pose> Tracker::predicted_motion(double timestamp) const {
 /// white-noise-on-acceleration prior; Barfoot, State Estimation for Robotics, ch. 11). It decides where a
 /// blurred frame shows little, and hardly matters where a sharp one shows much.
 PosePrior Tracker::motion_prior(const TrackedFrame& frame) const {
+  if (frame.aligned) return *frame.aligned;
   if (!last_ || !velocity_known_) return {};
   const double dt = frame.timestamp - last_->timestamp;
   PosePrior prior;
@@ -259,13 +307,14 @@ void Tracker::remember(const TrackedFrame& frame, KeyframeId reference, const Po
   velocity_known_ = last_.has_value();
   velocity_ = velocity_to(frame);
   last_ = frame;
-  last_->pyramid.reset();
+  if (last_->grid_depths.empty()) last_->pyramid.reset();
   last_reference_ = reference;
   last_from_reference_ = frame.cam_from_world * reference_from_world.inverse();
 }
 
 void Tracker::forget_dynamic(const cv::Mat& mask) {
   if (!last_ || mask.empty()) return;
+  aligner_.forget(mask, last_->grid_depths);
   for (int i = 0; i < last_->features->size(); ++i) {
     const Keypoint& keypoint = last_->features->keypoint(i);
     if (!is_set_at(mask, keypoint.x, keypoint.y)) continue;

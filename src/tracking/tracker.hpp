@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "atlas/atlas.hpp"
 #include "atlas/missing_landmark.hpp"
 #include "estimation/sensor_model.hpp"
+#include "tracking/direct_alignment.hpp"
 #include "tracking/frame_matching.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
@@ -20,6 +22,7 @@ struct TrackAttempt {
   double prediction_ms =
       0;  ///< wall: matching to the last frame or the reference keyframe, first optimisation
   double local_map_ms = 0;  ///< wall: matching to the local map, aligning, optimising
+  double direct_ms = 0;     ///< wall: direct alignment where features failed, and the same again from there
 };
 
 /// Finds the pose of each frame from that of the frame before and the local map, as ORB-SLAM does: predict,
@@ -37,6 +40,9 @@ class Tracker {
 
   /// From now on this is the last frame. `reference`: keyframe of the local map it was tracked in.
   void remember(const TrackedFrame& frame, KeyframeId reference, const Pose& reference_from_world);
+  /// What direct alignment needs of a frame's depth, without what the masks say moves; empty if it is
+  /// switched off.
+  std::vector<float> sample_depth(const cv::Mat& depth, std::initializer_list<cv::Mat> masks) const;
   /// After a loss: there is no last frame.
   void clear_last();
   /// Nothing that moves in the last frame is to be followed. `mask`: raw pixels, CV_8UC1, not 0 = dynamic.
@@ -60,6 +66,8 @@ class Tracker {
  private:
   Pose predict(double timestamp) const;
   Vector6d velocity_to(const TrackedFrame& frame) const;
+  bool track_features(TrackedFrame& frame, const LocalMap& local_map, TrackAttempt& attempt);
+  bool track_directly(TrackedFrame& frame, const LocalMap& local_map);
   std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
@@ -85,6 +93,7 @@ class Tracker {
 
   PoseEstimator estimator_;
   TrackingSettings settings_;
+  DirectAligner aligner_;
   std::optional<TrackedFrame> last_;
   KeyframeId last_reference_;
   Pose last_from_reference_;

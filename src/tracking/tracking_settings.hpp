@@ -39,6 +39,8 @@ struct TrackingSettings {
                "Usual acceleration of the camera, for the motion prior");
   STDC_SETTING(double, angular_acceleration_sigma, 40, "rad/s^2", 0.01, 1e6,
                "Usual angular acceleration of the camera");
+  STDC_SETTING(bool, direct_alignment, true,
+               "Where features fail, as in the blur of a fast turn, align the images' brightness");
   STDC_SETTING(bool, moving_groups, true,
                "Leave out neighbouring matches that all disagree with the pose in the same way");
   STDC_SETTING(double, covariance_scale, 1.2, "ratio", 0.1, 100,
