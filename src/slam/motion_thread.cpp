@@ -9,15 +9,16 @@
 namespace stdc {
 
 MotionThread::MotionThread(const Camera& camera, const MotionSettings& settings,
-                           const PropagationSettings& propagation)
-    : motion_(make_motion_detector(camera, settings)), propagator_(camera, propagation) {}
+                           const PropagationSettings& propagation, bool draws_doubtful)
+    : motion_(make_motion_detector(camera, settings)),
+      draws_doubtful_(draws_doubtful),
+      propagator_(camera, propagation) {}
 
-void MotionThread::begin(const RgbdImage& image, const cv::Mat& grey, int frame,
+void MotionThread::begin(const cv::Mat& depth, const cv::Mat& grey, int frame,
                          const std::optional<Pose>& frame_from_last) {
   worker_.wait();
-  // Compared with the map after the caller has the pose and perhaps other uses for its buffer.
-  depth_ = image.depth.empty() ? cv::Mat(grey.size(), CV_16UC1, cv::Scalar(0)) : image.depth.clone();
-  grey_ = image.colour.channels() == 1 ? grey.clone() : grey;  // else it is a copy already
+  depth_ = depth.empty() ? cv::Mat(grey.size(), CV_16UC1, cv::Scalar(0)) : depth;
+  grey_ = grey;
   frame_ = frame;
   worker_.start([this, frame_from_last] {
     Stopwatch watch;
@@ -48,13 +49,14 @@ void MotionThread::observe(MotionFrame frame) {
     found_ = motion_->mask();
     moving_now_ = motion_->moving_now(found_);
     propagator_.set_mask(frame_, found_);
+    if (draws_doubtful_) doubtful_ = motion_->doubtful();
     milliseconds_ = carrying_ms_ + watch.lap_ms();
   });
 }
 
 cv::Mat MotionThread::doubtful() {
   worker_.wait();
-  return motion_->doubtful();
+  return draws_doubtful_ ? doubtful_ : motion_->doubtful();
 }
 
 const cv::Mat& MotionThread::moving_now() {

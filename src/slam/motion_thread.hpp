@@ -20,10 +20,13 @@ namespace stdc {
 /// comes next.
 class MotionThread {
  public:
-  MotionThread(const Camera& camera, const MotionSettings& settings, const PropagationSettings& propagation);
+  /// @param draws_doubtful  doubtful() will be asked for after every frame: it is drawn beside the tracker
+  MotionThread(const Camera& camera, const MotionSettings& settings, const PropagationSettings& propagation,
+               bool draws_doubtful);
 
-  /// Starts carrying what moved in the last frame to this one.
-  void begin(const RgbdImage& image, const cv::Mat& grey, int frame,
+  /// Starts carrying what moved in the last frame to this one. Both images are kept and must not change; no
+  /// depth: empty.
+  void begin(const cv::Mat& depth, const cv::Mat& grey, int frame,
              const std::optional<Pose>& frame_from_last);
   /// What is expected to move in the frame of the last begin(), waiting for it: CV_8UC1, 255 = dynamic; empty
   /// if nothing is known.
@@ -50,9 +53,11 @@ class MotionThread {
 
  private:
   std::unique_ptr<MotionDetector> motion_;
+  bool draws_doubtful_;
   MaskPropagator propagator_;
   cv::Mat grey_, depth_;
   cv::Mat expected_, found_, moving_now_;
+  cv::Mat doubtful_;  ///< if it is drawn each time
   int frame_ = 0;
   std::vector<LandmarkId> gone_;
   double carrying_ms_ = 0, milliseconds_ = 0;

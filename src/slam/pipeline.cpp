@@ -30,23 +30,26 @@ Pipeline::Pipeline(const Camera& camera, const Settings& settings, std::unique_p
       relocaliser_(settings.tracking),
       back_end_(camera, settings),
       view_planner_(settings.dense) {
+  const bool makes_dense = settings.dense.active && !settings.system.localisation_only;
   if (segmenter) {
     semantics_ = std::make_unique<SemanticThread>(camera, settings.segmentation, settings.refinement,
                                                   settings.propagation, std::move(segmenter));
   }
   if (settings.motion.method != MotionMethod::off) {
-    motion_ = std::make_unique<MotionThread>(camera, settings.motion, settings.propagation);
+    motion_ = std::make_unique<MotionThread>(camera, settings.motion, settings.propagation,
+                                             makes_dense && settings.dense.masks);
   }
-  if (settings.dense.active && !settings.system.localisation_only) {
+  if (makes_dense) {
     dense_ = std::make_unique<DenseThread>(camera, settings.dense);
   }
 }
 
-TrackingResult Pipeline::track(const RgbdImage& image) {
-  check_image(image, camera(), next_frame_);
-  if (last_time_ && !(image.timestamp > *last_time_)) return skip(image.timestamp);
+TrackingResult Pipeline::track(const RgbdImage& given) {
+  check_image(given, camera(), next_frame_);
+  if (last_time_ && !(given.timestamp > *last_time_)) return skip(given.timestamp);
   const double cpu_start = thread_cpu_ms();
   Stopwatch total;
+  const RgbdImage image = with_lasting_depth(given);
   TrackingResult result;
   TrackedFrame frame = extract(image, result);
   collect(result);
@@ -74,20 +77,34 @@ TrackingResult Pipeline::skip(double timestamp) {
   return result;
 }
 
+/// The images of a frame, with depth that work beside this thread can keep: the caller may have other uses
+/// for its buffers.
+RgbdImage Pipeline::with_lasting_depth(const RgbdImage& given) const {
+  RgbdImage image = given;
+  if (motion_ || dense_) image.depth = given.lasting(given.depth);
+  return image;
+}
+
+/// What is tracked, as something that work beside this thread can keep.
+cv::Mat Pipeline::brightness(const RgbdImage& image) const {
+  if (image.colour.channels() == 3 && image.grey.empty()) {
+    cv::Mat grey;
+    cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
+    return grey;
+  }
+  const cv::Mat& grey = image.grey.empty() ? image.colour : image.grey;
+  return motion_ || semantics_ ? image.lasting(grey) : grey;
+}
+
 /// Candidates are found beside segmentation; when both are done, those on dynamic pixels go, and the whole
 /// budget is spent on the rest.
 TrackedFrame Pipeline::extract(const RgbdImage& image, TrackingResult& result) {
   Stopwatch watch;
-  cv::Mat grey = image.colour;
-  if (!image.grey.empty()) {
-    grey = image.grey.clone();  // work beside this thread keeps it
-  } else if (image.colour.channels() == 3) {
-    cv::cvtColor(image.colour, grey, cv::COLOR_BGR2GRAY);
-  }
+  const cv::Mat grey = brightness(image);
   if (semantics_) {
     semantics_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
   }
-  if (motion_) motion_->begin(image, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
+  if (motion_) motion_->begin(image.depth, grey, next_frame_, tracker_.predicted_motion(image.timestamp));
   extractor_.detect(grey);
   if (semantics_ || motion_) reject_dynamic(result);
   hand_over_dense();

@@ -30,7 +30,7 @@ class Pipeline {
   /// `segmenter`: null for none.
   Pipeline(const Camera& camera, const Settings& settings, std::unique_ptr<Segmenter> segmenter);
 
-  TrackingResult track(const RgbdImage& image);
+  TrackingResult track(const RgbdImage& given);
   TrackingResult skip(double timestamp);
   /// Waits for the back end and collects its results; returns the loops among them.
   std::vector<LoopReport> finish();
@@ -68,6 +68,8 @@ class Pipeline {
     std::vector<KeypointState> states;
   };
 
+  RgbdImage with_lasting_depth(const RgbdImage& given) const;
+  cv::Mat brightness(const RgbdImage& image) const;
   TrackedFrame extract(const RgbdImage& image, TrackingResult& result);
   void reject_dynamic(TrackingResult& result);
   void collect(TrackingResult& result);

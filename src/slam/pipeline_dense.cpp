@@ -15,8 +15,8 @@ void Pipeline::note_dense(const RgbdImage& image, const TrackedFrame& frame) {
   dense.reference = local_map_.reference;
   dense.cam_from_reference = from_reference(frame);
   view_planner_.plan(back_end_.snapshot(), dense);
-  dense.depth = image.depth.clone();  // the caller may have other uses for its buffers
-  if (dense.starts_view) dense.colour = image.colour.clone();
+  dense.depth = image.depth;
+  if (dense.starts_view) dense.colour = image.lasting(image.colour);
   if (settings_.dense.masks) dense.dynamic = segmented_;
   next_dense_ = std::move(dense);
 }
@@ -26,8 +26,7 @@ void Pipeline::hand_over_dense() {
   if (!next_dense_) return;
   DenseFrame dense = *std::exchange(next_dense_, std::nullopt);
   if (settings_.dense.masks && motion_ && observed_frame_ == dense.frame) {
-    const cv::Mat& moving = motion_->found();
-    if (!moving.empty()) dense.dynamic = dense.dynamic.empty() ? moving : cv::Mat(dense.dynamic | moving);
+    dense.moving = motion_->found();
     dense.doubtful = motion_->doubtful();
   }
   dense_->add(std::move(dense));

@@ -65,7 +65,7 @@ void SemanticThread::segment(const RgbdImage& image, int frame) {
   segmented_time_ = image.timestamp;
   // The caller may reuse its buffer while the segmentation still runs.
   const bool outlives_frame = settings_.pace == SegmentationPace::asynchronous;
-  SegmenterInput input{outlives_frame ? image.colour.clone() : image.colour, image.timestamp, frame};
+  SegmenterInput input{outlives_frame ? image.lasting(image.colour) : image.colour, image.timestamp, frame};
   segmenting_.start([this, input = std::move(input)] {
     Stopwatch watch;
     segmented_ = {input.frame, input.timestamp, {}, 0};

@@ -1,6 +1,7 @@
 #include "run/frame_loader.hpp"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 
 namespace stdc::app {
@@ -87,6 +88,11 @@ LoadedFrame FrameLoader::load(const SourceFrame& source) const {
   frame.packed = source.images;
   try {
     frame.image = decoder_.decode(source, mode_);
+    frame.image->may_be_kept = true;  // it is given away
+    if (frame.image->colour.channels() == 3 &&
+        frame.image->grey.empty()) {  // here, not on the tracker's time
+      cv::cvtColor(frame.image->colour, frame.image->grey, cv::COLOR_BGR2GRAY);
+    }
   } catch (const Error& error) {
     frame.error = error;
   } catch (const std::exception& error) {  // no memory, say: it must not end the program from a thread

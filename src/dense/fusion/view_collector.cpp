@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <opencv2/core.hpp>
 
 #include "dense/fusion/depth_cleaning.hpp"
 #include "dense/fusion/view_codec.hpp"
@@ -29,6 +30,15 @@ void ViewPlanner::plan(const AtlasSnapshot& snapshot, DenseFrame& frame) {
   window_ = Window{frame.reference, frame.cam_from_reference, 1};
 }
 
+namespace {
+
+cv::Mat united(const cv::Mat& a, const cv::Mat& b) {
+  if (a.empty() || b.empty()) return a.empty() ? b : a;
+  return a | b;
+}
+
+}  // namespace
+
 ViewCollector::ViewCollector(const Camera& camera, const DenseSettings& settings)
     : settings_(settings), rectifier_(camera) {}
 
@@ -36,8 +46,8 @@ void ViewCollector::add(const DenseFrame& frame) {
   // Cut off further away than what is used: to keep the nearer half of a noisy surface would draw it nearer.
   constexpr float kReserve = 1.25F;
   const cv::Mat raw = rectifier_.depth(frame.depth, kReserve * static_cast<float>(settings_.max_depth));
-  const CleanDepth depth =
-      clean_depth(raw, rectified(frame.dynamic), rectified(frame.doubtful), settings_.margin);
+  const CleanDepth depth = clean_depth(raw, rectified(united(frame.dynamic, frame.moving)),
+                                       rectified(frame.doubtful), settings_.margin);
   if (!frame.starts_view && open_) {
     open_->window.add(depth, frame.frame_from_window);
     return;

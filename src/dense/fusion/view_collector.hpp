@@ -18,9 +18,11 @@ struct DenseFrame {
   double timestamp = 0;  ///< [s]
   KeyframeId reference;  ///< the keyframe it was tracked from...
   Pose cam_from_reference;
-  cv::Mat depth;     ///< as in RgbdImage
-  cv::Mat dynamic;   ///< CV_8UC1, not 0 = dynamic, or empty: nothing is
-  cv::Mat doubtful;  ///< the same of what may be, and is not used either
+  cv::Mat depth;  ///< as in RgbdImage
+  // What is not used of it; CV_8UC1, not 0 = dynamic, or empty: nothing is.
+  cv::Mat dynamic;   ///< by what it is
+  cv::Mat moving;    ///< by geometry
+  cv::Mat doubtful;  ///< what may be
   bool starts_view = true;
   // Of a frame that starts a view:
   cv::Mat colour;       ///< as in RgbdImage
