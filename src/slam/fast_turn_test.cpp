@@ -1,6 +1,7 @@
 // A turn so fast that no feature can be found in its images.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "slam/test_walk.hpp"
@@ -43,6 +44,17 @@ TEST(FastTurn, FeaturesAloneAreLost) {
   test::Walk walk(without_segmentation(false));
   turn_fast(walk);
   EXPECT_EQ(walk.count(TrackingStatus::lost), kSmeared);
+}
+
+/// Each frame shows much that no keyframe has.
+TEST(FastTurn, PointsOfTheLastFrameAloneMakeAKeyframe) {
+  test::Walk walk(without_segmentation(true));
+  for (int place = 0; place < 119; place += 10) walk.see(place);
+  EXPECT_EQ(walk.count(TrackingStatus::lost), 0);
+  EXPECT_TRUE(std::any_of(walk.results.begin(), walk.results.end(), [](const TrackingResult& result) {
+    return result.status == TrackingStatus::uncertain && result.is_keyframe;
+  }));
+  for (const double error : walk.live_errors()) EXPECT_LT(error, 0.04);
 }
 
 }  // namespace

@@ -114,6 +114,7 @@ class Pipeline {
   double map_began_ = 0;                  ///< [s] the map that was begun last
   bool covered_ = false;                  ///< most of the view moved when it was last tracked
   int unsupported_frames_ = 0;            ///< tracked in a row by temporary points alone
+  bool extends_by_depth_ = false;         ///< a pose held by temporary points that a keyframe may be made of
   bool needs_keyframe_ = false;           ///< few landmarks are left to track, and nothing large moves
   bool landmarks_removed_ = false;        ///< since the snapshot was made
   std::map<LandmarkId, int> gone_votes_;  ///< frames that looked through a landmark

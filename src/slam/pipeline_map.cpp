@@ -21,7 +21,9 @@ constexpr double kOriginInformation = 1e12;  ///< a map's first camera is where 
 /// Makes the frame a keyframe if it should be one, gives the back end its next job, and notes the pose.
 void Pipeline::extend_map(TrackedFrame& frame, TrackingResult& result) {
   Stopwatch watch;
-  if (result.status == TrackingStatus::ok && wants_keyframe(frame)) make_keyframe(frame, active_map_);
+  const bool by_depth = std::exchange(extends_by_depth_, false);
+  if ((result.status == TrackingStatus::ok || by_depth) && wants_keyframe(frame))
+    make_keyframe(frame, active_map_);
   result.is_keyframe = last_keyframe_frame_ == frame.index;
   back_end_.start_pending(frame.index);
   if (result.status == TrackingStatus::ok) record(frame);

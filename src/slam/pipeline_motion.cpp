@@ -72,6 +72,11 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
     return;
   }
   if (few || sigma > settings_.tracking.max_position_sigma) result.status = TrackingStatus::uncertain;
+  // Where the camera has turned to what the map does not know, points of the last frame alone hold the pose.
+  // It is not called right, but without a keyframe here the camera would soon be lost.
+  constexpr int kHolding = 50;
+  extends_by_depth_ = few && settled_ && !is_wary() && frame.temporary_inliers >= kHolding &&
+                      sigma <= settings_.tracking.max_position_sigma;
   if (!motion_) return;
   // While a map begins and something large moves, what entered the map last may be a part of it.
   constexpr double kMuch = 0.6;
@@ -94,6 +99,7 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   result.motion->likeness = agreement->looks;
   if (agreement->depth < settings_.motion.min_agreement || agreement->looks < settings_.motion.min_likeness) {
     result.status = TrackingStatus::uncertain;
+    extends_by_depth_ = false;
   }
 }
 

@@ -33,6 +33,7 @@ struct TrackedFrame {
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation
                     ///< with the local map
   int inliers = 0;  ///< landmarks that agree with the pose in the end
+  int temporary_inliers = 0;  ///< the same of the temporary points
 
   TrackedFrame() = default;
   /// At rest until the tracker knows better.

@@ -63,7 +63,7 @@ bool Tracker::track_directly(TrackedFrame& frame, const LocalMap& local_map) {
   std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
   std::fill(frame.outlier.begin(), frame.outlier.end(), 0);
   std::fill(frame.dynamic.begin(), frame.dynamic.end(), 0);
-  frame.inliers = 0;
+  frame.inliers = frame.temporary_inliers = 0;
   return true;
 }
 
@@ -165,8 +165,8 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
     if (match.landmark >= 0) frame.landmarks[match.keypoint] = local_map.landmarks[match.landmark].id;
   }
   // Temporary points keep a frame in track, but nothing holds them in place: they do not count as landmarks.
-  frame.inliers =
-      static_cast<int>(inliers.size() - std::count_if(inliers.begin(), inliers.end(), is_temporary));
+  frame.temporary_inliers = static_cast<int>(std::count_if(inliers.begin(), inliers.end(), is_temporary));
+  frame.inliers = static_cast<int>(inliers.size()) - frame.temporary_inliers;
   count(local_map, visible, inliers);
   note_missing(local_map, visible, matches);
   return static_cast<int>(inliers.size()) >= min_inliers;
