@@ -1,11 +1,9 @@
 #include "tracking/tracker.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/stopwatch.hpp"
 #include "features/mask.hpp"
-#include "tracking/moving_groups.hpp"
 
 namespace stdc {
 
@@ -36,42 +34,6 @@ bool Tracker::track_features(TrackedFrame& frame, const LocalMap& local_map, Tra
       refine(frame, local_map, std::move(matches), settings_.local_map_radius, settings_.min_inliers);
   attempt.local_map_ms = watch.lap_ms();
   return tracked;
-}
-
-/// Where a fast turn blurs the image: the images' brightness as a whole gives the pose, and features are
-/// looked for from there. If there are still too few, the pose goes without landmarks.
-bool Tracker::track_directly(TrackedFrame& frame, const LocalMap& local_map) {
-  const auto aligned =
-      aligner_.align({last_->pyramid, last_->grid_depths}, {frame.pyramid, frame.grid_depths},
-                     predict(frame.timestamp) * last_->cam_from_world.inverse());
-  if (!aligned) return false;
-  const Pose cam_from_world = aligned->frame_from_last * last_->cam_from_world;
-  frame.aligned = PosePrior{cam_from_world, aligned->information};
-  frame.cam_from_world = cam_from_world;
-  frame.set_motion(camera(), velocity_to(frame));
-  std::vector<FrameMatch> matches = optimise(
-      frame, match_last_frame(camera(), local_map, *last_, frame, settings_.search_radius, settings_));
-  if (static_cast<int>(matches.size()) < settings_.min_inliers_motion) frame.cam_from_world = cam_from_world;
-  const std::size_t counted = counts_.size();
-  if (refine(frame, local_map, std::move(matches), settings_.local_map_radius, settings_.min_inliers))
-    return true;
-  counts_.resize(counted);
-  missing_.clear();
-  frame.cam_from_world = cam_from_world;
-  frame.information = aligned->information;
-  frame.set_motion(camera(), velocity_to(frame));
-  std::fill(frame.landmarks.begin(), frame.landmarks.end(), LandmarkId());
-  std::fill(frame.outlier.begin(), frame.outlier.end(), 0);
-  std::fill(frame.dynamic.begin(), frame.dynamic.end(), 0);
-  frame.inliers = frame.temporary_inliers = 0;
-  return true;
-}
-
-std::vector<float> Tracker::sample_depth(const cv::Mat& depth, std::initializer_list<cv::Mat> masks) const {
-  if (!settings_.direct_alignment) return {};
-  std::vector<float> depths = aligner_.sample(depth);
-  for (const cv::Mat& mask : masks) aligner_.forget(mask, depths);
-  return depths;
 }
 
 /// Constant velocity, scaled to the time that passed: frames may have been dropped.
@@ -170,99 +132,6 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   count(local_map, visible, inliers);
   note_missing(local_map, visible, matches);
   return static_cast<int>(inliers.size()) >= min_inliers;
-}
-
-namespace {
-
-/// Tells matches to what entered the map last, by the keyframes since: while the pose is uncertain none are
-/// made, and nothing grows older.
-class YoungMatches {
- public:
-  YoungMatches(const LocalMap& local_map, double now) : local_map_(local_map), now_(now) {
-    double first = now;
-    for (const LocalReferenceView& view : local_map.reference_views) {
-      if (view.timestamp > now) continue;  // of an earlier run, by another clock
-      first = std::min(first, view.timestamp);
-      last_ = std::max(last_, view.timestamp);
-    }
-    constexpr double kYoung = 1;  // [s], or half as long as the map is known here
-    young_ = std::min(kYoung, 0.5 * (last_ - first));
-  }
-  bool contains(const FrameMatch& match) const {
-    if (match.landmark < 0) return true;
-    const double born = local_map_.reference_views[local_map_.landmarks[match.landmark].view].timestamp;
-    return born <= now_ && last_ - born < young_;
-  }
-
- private:
-  const LocalMap& local_map_;
-  double now_, last_ = -std::numeric_limits<double>::infinity(), young_ = 0;
-};
-
-}  // namespace
-
-/// Aligns those of the matches that are not among the inliers.
-void Tracker::align_refused(const LocalMap& local_map, const std::vector<FrameMatch>& matches,
-                            const std::vector<FrameMatch>& inliers, TrackedFrame& frame) const {
-  std::vector<std::uint8_t> agrees(static_cast<std::size_t>(frame.features->size()), 0);
-  for (const FrameMatch& match : inliers) agrees[static_cast<std::size_t>(match.keypoint)] = 1;
-  std::vector<FrameMatch> refused;
-  for (const FrameMatch& match : matches) {
-    if (agrees[static_cast<std::size_t>(match.keypoint)] == 0) refused.push_back(match);
-  }
-  align_matches(estimator_.sensor, local_map, refused, frame);
-}
-
-/// What has just entered the map has not proved to rest, however large it is: the pose that older landmarks
-/// give decides whether it does. Else a thing that came in with the view that the camera turned to, and moves
-/// slowly, takes the pose along as soon as it is in the map.
-std::vector<FrameMatch> Tracker::drop_young_groups(TrackedFrame& frame, const LocalMap& local_map,
-                                                   const std::vector<FrameMatch>& matches,
-                                                   std::vector<FrameMatch> inliers) const {
-  constexpr int kMinOld = 30;
-  const YoungMatches young_ones(local_map, frame.timestamp);
-  std::vector<FrameMatch> old, young;
-  for (const FrameMatch& match : matches) (young_ones.contains(match) ? young : old).push_back(match);
-  if (young.empty()) return inliers;
-  frame.old_information = Matrix6d::Zero();
-  if (static_cast<int>(old.size()) < settings_.min_inliers) return inliers;
-  align_refused(local_map, old, inliers, frame);
-  const PoseOptimisationResult result =
-      estimator_.estimate(make_observations(frame, old), frame.cam_from_world, motion_prior(frame));
-  if (!result.usable || result.inliers < settings_.min_inliers) return inliers;
-  frame.old_information = result.information;
-  if (static_cast<int>(old.size()) < kMinOld || 2 * result.inliers < static_cast<int>(old.size()))
-    return inliers;
-  TrackedFrame alone = frame;
-  alone.cam_from_world = result.cam_from_world;
-  alone.information = result.information;
-  const std::vector<Contradiction> found =
-      find_contradicting_groups(estimator_.sensor, alone, alone.covariance(settings_), young);
-  if (std::all_of(found.begin(), found.end(), [](Contradiction c) { return c == Contradiction::none; }))
-    return inliers;
-  for (std::size_t i = 0; i < young.size(); ++i) {
-    if (found[i] == Contradiction::none) old.push_back(young[i]);
-    if (found[i] == Contradiction::sure) frame.dynamic[young[i].keypoint] = 1;
-  }
-  frame.cam_from_world = result.cam_from_world;
-  return optimise(frame, std::move(old));
-}
-
-/// Takes out what moves, and finds the pose again without it.
-std::vector<FrameMatch> Tracker::drop_moving_groups(TrackedFrame& frame,
-                                                    std::vector<FrameMatch> inliers) const {
-  constexpr int kRounds = 2;  // a better pose may show more
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<std::uint8_t> moving = find_moving_groups(estimator_.sensor, frame, inliers);
-    std::vector<FrameMatch> resting;
-    for (std::size_t i = 0; i < inliers.size(); ++i) {
-      if (moving[i] == 0) resting.push_back(inliers[i]);
-      frame.dynamic[inliers[i].keypoint] |= moving[i];
-    }
-    if (resting.size() == inliers.size()) break;
-    inliers = optimise(frame, std::move(resting));
-  }
-  return inliers;
 }
 
 void Tracker::count(const LocalMap& local_map, const std::vector<int>& visible,
