@@ -28,10 +28,20 @@ def margin(logits, size):
     return upsampled(logits[:, 1:].float() - logits[:, :1].float(), size).squeeze(1)
 
 
-def plain_cross_entropy(margins, person, known):
+def outline_weights(person, known, weight, reach=2):
+    """1, and `weight` for the squares [n, h, w] within `reach` squares of both the person and the
+    background, where the outline is drawn; arguments as soft_labels gives them."""
+    grown = functional.max_pool2d(torch.stack([person, known - person], 1), 2 * reach + 1, 1, reach)
+    near = (grown > 0.5).all(1)
+    return 1 + (weight - 1) * near.float()
+
+
+def plain_cross_entropy(margins, person, known, weights=None):
     """Mean cross-entropy over the known pixels; arguments [n, h, w], see soft_labels."""
     loss = known * functional.softplus(margins) - person * margins
-    return loss.sum() / known.sum().clamp(min=1)
+    if weights is None:
+        return loss.sum() / known.sum().clamp(min=1)
+    return (weights * loss).sum() / (weights * known).sum().clamp(min=1)
 
 
 def hard_cross_entropy(margins, person, known, threshold=0.7, least_share=1 / 16):
@@ -79,7 +89,7 @@ def without_doubt(labels, exact, teacher, certain=0.9):
 
 
 def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None, share=0.5,
-               exact=None):
+               exact=None, outline=1.0):
     """Sum of the losses of StdcSeg.forward_training (its heads of training may be missing) and
     its parts by name.
 
@@ -87,7 +97,8 @@ def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None
     hard and many labels near edges are doubtful, and mining those slows the start of a training.
     Squares of `stride` pixels count as one, with the shares of their labels; the auxiliary heads
     only guide, and squares twice as long will do for them. teacher: logits [n, 2, h/8, w/8] of
-    another network that soften the labels, with `share` and `exact`: see softened.
+    another network that soften the labels, with `share` and `exact`: see softened. outline: how
+    much squares near outlines count in the cross-entropy of the main head, if not hard.
     """
     def targets(stride):
         person, known = soft_labels(labels, stride)
@@ -100,7 +111,10 @@ def total_loss(outputs, labels, detail_target, hard=True, stride=1, teacher=None
     fine = targets(stride)
     size = fine[0].shape[1:]
     main = margin(outputs["main"], size)
-    parts = {"main": entropy(main, *fine)}
+    near = {}
+    if outline != 1 and not hard:
+        near["weights"] = outline_weights(*soft_labels(labels, stride), outline)
+    parts = {"main": entropy(main, *fine, **near)}
     parts["region"] = REGION_WEIGHT * region_loss(main, *fine)
     if "detail" in outputs:
         coarse = targets(2 * stride)

@@ -21,7 +21,7 @@ SHARES_WITH_RENDERED = {"photo": 0.42, "composed": 0.34, "empty": 0.17, "render"
 PHOTO_SHARES = {"ccp_masked": 0.25, "ccp_teacher": 0.15, "lspet_teacher": 0.28,
                 "voc_teacher": 0.2, "human291_masked": 0.12}
 CUTOUT_SHARES = {"ccp_masked": 0.45, "ccp_teacher": 0.2, "lspet_teacher": 0.2,
-                 "human291_masked": 0.15}
+                 "human291_masked": 0.15, "rendered": 0.15}
 # Of the people put into rooms, how many are seen without their heads; they stand above desks so.
 DOWNWARD_SHARE = 0.3
 # How many of them are seen from lower than 1.3 m, down to the height of a knee.
@@ -54,29 +54,46 @@ class Samples(torch.utils.data.Dataset):
         self._frames = people.Packed(folder, rendered) if rendered else None
         self._size, self._count, self._seed = size, count, seed
         self._strength, self._heights, self._camera = strength, heights, camera
-        self._shares = SHARES_WITH_RENDERED if rendered else SHARES
         self._kinds, self._cutouts, self._scenes = {}, {}, {}
         for i, entry in enumerate(self._packed.index):
-            if sources is not None and source_of(entry) not in sources:
-                continue
-            self._kinds.setdefault(entry["kind"], []).append(i)
-            if entry["kind"] == people.EMPTY:
-                self._add_scene(source_of(entry), self._packed, i)
-            elif entry["box"] is None:
-                self._add_scene("elsewhere", self._packed, i)
-            if entry["box"] and entry["kind"] in CUTOUT_SHARES:
-                x0, y0, x1, y1 = entry["box"]
-                if y1 - y0 >= LEAST_CUTOUT_HEIGHT * entry["shape"][0]:
-                    self._cutouts.setdefault(entry["kind"], []).append(i)
+            if sources is None or source_of(entry) in sources:
+                self._add_photo(i, entry)
         for i, entry in enumerate(self._frames.index if rendered else ()):
             if entry["box"] is None:
                 self._add_scene("rendered", self._frames, i)
-        if not (self._kinds and self._cutouts and self._scenes):
-            raise ValueError(f"--sources {' '.join(sources or ())}: without photos of people, "
-                             "people to cut out and scenes without people no samples can be made")
+            else:
+                self._add_cutout(self._frames, i, entry)
+        if not (self._cutouts and self._scenes):
+            raise ValueError(f"--sources {' '.join(sources or ())}: without people to cut out and "
+                             "scenes without people no samples can be made")
+        self._shares = self._shares_of_kinds()
+
+    def _shares_of_kinds(self):
+        """Shares of the kinds of samples that can be made; without photos of people rendered frames
+        take their place."""
+        shares = dict(SHARES_WITH_RENDERED if self._frames else SHARES)
+        if not any(kind in PHOTO_SHARES for kind in self._kinds):
+            photos = shares.pop("photo")
+            if self._frames:
+                shares["render"] += photos
+        total = sum(shares.values())
+        return {kind: share / total for kind, share in shares.items()}
+
+    def _add_photo(self, i, entry):
+        self._kinds.setdefault(entry["kind"], []).append(i)
+        if entry["kind"] == people.EMPTY:
+            self._add_scene(source_of(entry), self._packed, i)
+        elif entry["box"] is None:
+            self._add_scene("elsewhere", self._packed, i)
+        elif entry["kind"] in CUTOUT_SHARES:
+            self._add_cutout(self._packed, i, entry)
 
     def _add_scene(self, scene, packed, i):
         self._scenes.setdefault(scene, []).append((packed, i))
+
+    def _add_cutout(self, packed, i, entry):
+        if entry["box"][3] - entry["box"][1] >= LEAST_CUTOUT_HEIGHT * entry["shape"][0]:
+            self._cutouts.setdefault(entry["kind"], []).append((packed, i))
 
     def __len__(self):
         return self._count
@@ -103,7 +120,7 @@ class Samples(torch.utils.data.Dataset):
         there = [kind for kind in shares if kind in groups]
         chances = np.array([shares[kind] for kind in there])
         kind = rng.choice(there, p=chances / chances.sum())
-        return int(rng.choice(groups[kind]))
+        return groups[kind][rng.integers(len(groups[kind]))]
 
     def _photo(self, rng):
         i = self._pick(rng, self._kinds, PHOTO_SHARES)
@@ -132,7 +149,7 @@ class Samples(torch.utils.data.Dataset):
         frame, _ = self._room(rng)
         count = rng.choice([1, 2, 3], p=[0.6, 0.28, 0.12])
         picks = [self._pick(rng, self._cutouts, CUTOUT_SHARES) for _ in range(count)]
-        cutouts = [(self._packed.index[i], self._packed[i]) for i in picks]
+        cutouts = [(packed.index[i], packed[i]) for packed, i in picks]
         image, label = compose(rng, frame, cutouts, self._size, self._heights, DOWNWARD_SHARE,
                                LOW_SHARE)
         if rng.random() < HIDDEN_SHARE:

@@ -78,6 +78,8 @@ def parse(arguments=None):
     parser.add_argument("--teacher-share", type=float, default=0.5, help="their weight, 0..1")
     parser.add_argument("--loss-stride", type=int, default=1, metavar="PIXELS",
                         help="squares of so many pixels count as one in the losses")
+    parser.add_argument("--outline-weight", type=float, default=1.0, metavar="WEIGHT",
+                        help="of pixels near the outlines of people, where hard pixels are not mined")
     parser.add_argument("--bf16", action="store_true",
                         help="mixed precision on a CPU: faster where it has AVX-512 BF16 or AMX")
     parser.add_argument("--loaders", type=int, default=1, help="processes that make samples")
@@ -144,7 +146,8 @@ class Trainer:
             labels = without_doubt(labels, exact, advice)
         loss, parts = total_loss(outputs, labels, self.detail,
                                  self.images >= self.options.hard_after, self.options.loss_stride,
-                                 advice, self.options.teacher_share, exact)
+                                 advice, self.options.teacher_share, exact,
+                                 self.options.outline_weight)
         self.optimiser.zero_grad(set_to_none=True)
         self.scaler.scale(loss).backward()
         self.scaler.step(self.optimiser)

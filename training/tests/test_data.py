@@ -2,6 +2,8 @@
 
 from . import with_torch  # noqa: F401  # isort: skip
 
+import json
+import shutil
 import tempfile
 import unittest
 from collections import Counter
@@ -120,16 +122,28 @@ class DataTest(unittest.TestCase):
     def test_sources_can_be_left_out(self):
         sources = ["ccp_masked", "human291_masked", "kitchen"]
         samples = Samples(self.packed, (64, 48), 30, sources=sources)
-        used = {source_of(packed.index[i]) for rooms in samples._scenes.values()
-                for packed, i in rooms}
-        for groups in (samples._kinds, samples._cutouts):
-            used |= {source_of(samples._packed.index[i]) for group in groups.values()
-                     for i in group}
+        used = {source_of(packed.index[i]) for groups in (samples._scenes, samples._cutouts)
+                for group in groups.values() for packed, i in group}
+        used |= {source_of(samples._packed.index[i]) for group in samples._kinds.values()
+                 for i in group}
         self.assertEqual(used, set(sources))
         for i in range(30):
             samples[i]
         with self.assertRaisesRegex(ValueError, "--sources kitchen"):
             Samples(self.packed, (64, 48), 30, sources=["kitchen"])
+
+    def test_rendered_people_alone_will_do(self):
+        photos = people.Packed(self.packed, "train")
+        frames = [i for i, entry in enumerate(photos.index) if entry["kind"] == "ccp_masked"]
+        index = [photos.index[i] | {"kind": "rendered"} for i in frames]
+        (self.packed / "frames.json").write_text(json.dumps(index))
+        shutil.copyfile(self.packed / "train.bin", self.packed / "frames.bin")
+        samples = Samples(self.packed, (64, 48), 40, rendered="frames", sources=["kitchen"])
+        self.assertEqual(set(samples._cutouts), {"rendered"})
+        self.assertAlmostEqual(sum(samples._shares.values()), 1)
+        self.assertEqual(set(samples._shares), {"composed", "empty", "render"})
+        shown = sum(bool((samples[i][1] == 1).any()) for i in range(40))
+        self.assertGreater(shown, 15)
 
     def test_composed_labels_lie_on_the_pasted_people(self):
         packed = people.Packed(self.packed, "train")

@@ -8,8 +8,9 @@ import unittest
 import torch
 
 from stdc_training.detail import DetailTarget, detail_loss
-from stdc_training.losses import (hard_cross_entropy, margin, plain_cross_entropy, soft_labels,
-                                   softened, total_loss, without_doubt)
+from stdc_training.losses import (hard_cross_entropy, margin, outline_weights,
+                                   plain_cross_entropy, soft_labels, softened, total_loss,
+                                   without_doubt)
 
 
 class DetailTest(unittest.TestCase):
@@ -74,6 +75,21 @@ class CrossEntropyTest(unittest.TestCase):
         logits, labels = torch.randn(2, 2, 8, 8), torch.randint(0, 2, (2, 8, 8))
         loss = plain_cross_entropy(margin(logits, (8, 8)), *soft_labels(labels, 1))
         torch.testing.assert_close(loss, torch.nn.functional.cross_entropy(logits, labels))
+
+    def test_outlines_count_more(self):
+        labels = torch.tensor([[[0, 0, 0, 0, 1, 1, 1, 1, 255, 0]]])
+        weights = outline_weights(*soft_labels(labels, 1), 3.0, reach=2)
+        # Between the person and what is unknown nobody knows an outline.
+        self.assertEqual(weights.flatten().tolist(), [1, 1, 3, 3, 3, 3, 1, 3, 3, 3])
+        margins = torch.full((1, 1, 10), -2.0)
+        margins[0, 0, 4] = 2.0  # wrong within the person's inside only, or at its outline only
+        known = soft_labels(labels, 1)
+        plain = float(plain_cross_entropy(margins, *known))
+        weighted = float(plain_cross_entropy(margins, *known, weights))
+        wrong, right = math.log1p(math.exp(2)), math.log1p(math.exp(-2))
+        self.assertAlmostEqual(plain, (3 * wrong + 6 * right) / 9, 5)
+        # Background: 1, 1, 3, 3 and 3; person: 3 (right), 3, 1, 3.
+        self.assertAlmostEqual(weighted, (7 * wrong + 14 * right) / 21, 5)
 
     def test_squares_carry_the_shares_of_their_labels(self):
         labels = torch.tensor([[[1, 0, 255, 255], [1, 1, 255, 0]]])
