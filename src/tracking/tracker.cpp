@@ -14,10 +14,14 @@ TrackAttempt Tracker::track(TrackedFrame& frame, const LocalMap& local_map) {
   TrackAttempt attempt;
   const std::size_t counted = counts_.size();
   attempt.tracked = track_features(frame, local_map, attempt);
-  if (attempt.tracked || !settings_.direct_alignment || wary_) return attempt;
-  counts_.resize(counted);
+  if (!settings_.direct_alignment || wary_) return attempt;
   Stopwatch watch;
-  attempt.tracked = track_directly(frame, local_map);
+  if (!attempt.tracked) {
+    counts_.resize(counted);
+    attempt.tracked = track_directly(frame, local_map);
+  } else if (frame.inliers + frame.temporary_inliers < settings_.direct_below) {
+    prefer_direct(frame, local_map, counted);
+  }
   attempt.direct_ms = watch.lap_ms();
   return attempt;
 }

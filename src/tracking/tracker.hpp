@@ -22,7 +22,8 @@ struct TrackAttempt {
   double prediction_ms =
       0;  ///< wall: matching to the last frame or the reference keyframe, first optimisation
   double local_map_ms = 0;  ///< wall: matching to the local map, aligning, optimising
-  double direct_ms = 0;     ///< wall: direct alignment where features failed, and the same again from there
+  double direct_ms =
+      0;  ///< wall: direct alignment where features fail or few agree, and the same again from there
 };
 
 /// Finds the pose of each frame from that of the frame before and the local map, as ORB-SLAM does: predict,
@@ -68,6 +69,7 @@ class Tracker {
   Vector6d velocity_to(const TrackedFrame& frame) const;
   bool track_features(TrackedFrame& frame, const LocalMap& local_map, TrackAttempt& attempt);
   bool track_directly(TrackedFrame& frame, const LocalMap& local_map);
+  void prefer_direct(TrackedFrame& frame, const LocalMap& local_map, std::size_t counted);
   std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;

@@ -34,6 +34,25 @@ bool Tracker::track_directly(TrackedFrame& frame, const LocalMap& local_map) {
   return true;
 }
 
+/// A few matches that agree can agree on a wrong pose, centimetres off, when the prediction was too far away
+/// for the right ones to be looked at. A pose from the whole images is taken if clearly more landmarks agree
+/// with it: chance makes a few more or less. Temporary points do not count: like the images, they know the
+/// last frame only.
+void Tracker::prefer_direct(TrackedFrame& frame, const LocalMap& local_map, std::size_t counted) {
+  constexpr double kClearly = 1.5;
+  const std::vector<Count> counts(counts_.begin() + static_cast<std::ptrdiff_t>(counted), counts_.end());
+  const std::vector<MissingLandmark> missing = missing_;
+  TrackedFrame direct = frame;
+  counts_.resize(counted);
+  if (track_directly(direct, local_map) && direct.inliers >= kClearly * frame.inliers) {
+    frame = std::move(direct);
+    return;
+  }
+  counts_.resize(counted);
+  counts_.insert(counts_.end(), counts.begin(), counts.end());
+  missing_ = missing;
+}
+
 std::vector<float> Tracker::sample_depth(const cv::Mat& depth, std::initializer_list<cv::Mat> masks) const {
   if (!settings_.direct_alignment) return {};
   std::vector<float> depths = aligner_.sample(depth);

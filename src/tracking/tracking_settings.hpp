@@ -41,6 +41,8 @@ struct TrackingSettings {
                "Usual angular acceleration of the camera");
   STDC_SETTING(bool, direct_alignment, true,
                "Where features fail, as in the blur of a fast turn, align the images' brightness");
+  STDC_SETTING(int, direct_below, 80, "count", 0, 10000,
+               "The same is tried where fewer landmarks than this agree, and kept if clearly more do then");
   STDC_SETTING(bool, moving_groups, true,
                "Leave out neighbouring matches that all disagree with the pose in the same way");
   STDC_SETTING(double, covariance_scale, 1.2, "ratio", 0.1, 100,

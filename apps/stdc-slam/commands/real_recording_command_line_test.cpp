@@ -1,0 +1,62 @@
+// Real recordings, whole and with few frames a second, as a slow computer or a starved camera gives them.
+#include <nlohmann/json.hpp>
+
+#include "commands/test_command_line.hpp"
+
+namespace stdc::app {
+namespace {
+
+/// The recording is not shipped; where it is not there, these tests say so.
+class RealRecording : public CommandLine {
+ protected:
+  static fs::path recording() {
+    return fs::path(STDC_SOURCE_FOLDER) / "../shared/data/sequences/rgbd_dataset_freiburg1_xyz_first300";
+  }
+  void SetUp() override {
+    if (!fs::exists(recording() / "rgb.txt")) GTEST_SKIP() << recording() << " is not there";
+  }
+  /// A sequence of one colour image in `stride`, from number `first` on.
+  fs::path every(int stride, int first) const {
+    const std::string name = fmt::format("freiburg1_{}_{}", stride, first);
+    fs::create_directories(folder_ / name);
+    for (const char* part : {"rgb", "depth", "depth.txt", "groundtruth.txt"})
+      fs::create_symlink(fs::canonical(recording() / part), folder_ / name / part);
+    std::ifstream images(recording() / "rgb.txt");
+    std::string kept;
+    int number = -first;
+    for (std::string line; std::getline(images, line);) {
+      if (line.starts_with('#')) continue;
+      if (number >= 0 && number % stride == 0) kept += line + "\n";
+      ++number;
+    }
+    folder_.write(name + "/rgb.txt", kept);
+    return folder_ / name;
+  }
+  nlohmann::json scores_of(int stride, int first) const {
+    const std::string output = fmt::format("o{}_{}", stride, first);
+    const Outcome outcome = call(fmt::format("run {} --output {} --segmentation off --no-report --quiet",
+                                             every(stride, first).string(), output));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(content(folder_ / output / "summary.json"))["scores"];
+  }
+};
+
+TEST_F(RealRecording, IsTrackedToMillimetres) {
+  const auto scores = scores_of(1, 0);
+  EXPECT_EQ(scores["coverage"], 1);
+  EXPECT_EQ(scores["off_by_5_cm"], 0);
+  EXPECT_LT(scores["ate_m"]["rmse"], 0.006);
+}
+
+/// Here a few matches once agreed on poses that were up to 9 cm off, and called right.
+TEST_F(RealRecording, HasNoWrongPoseWithFewFramesASecond) {
+  for (const auto& [stride, first] : {std::pair(3, 0), std::pair(3, 1), std::pair(4, 0), std::pair(4, 2)}) {
+    const auto scores = scores_of(stride, first);
+    EXPECT_EQ(scores["off_by_5_cm"], 0) << stride << " " << first;
+    EXPECT_LT(scores["ate_m"]["rmse"], 0.01) << stride << " " << first;
+    EXPECT_GT(scores["coverage"], 0.99) << stride << " " << first;
+  }
+}
+
+}  // namespace
+}  // namespace stdc::app
