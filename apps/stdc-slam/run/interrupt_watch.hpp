@@ -5,7 +5,9 @@
 namespace stdc::app {
 
 /// Holds back Ctrl-C and a polite kill while it lives, so that a run can stop between two frames and tidy up.
-/// After that the signal does what it always does. To be made before any thread is started: they inherit.
+/// After that the signal does what it always does. To be made before the program starts threads: they inherit
+/// what is held back. Threads that libraries start as they are loaded (OpenBLAS does) do not; a signal that
+/// comes to one of those is noted and comes again at the end.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -19,7 +21,9 @@ class InterruptWatch {
   bool take() const;
 
  private:
-  sigset_t before_{};
+  sigset_t mask_before_{};
+  struct sigaction interrupt_before_ {
+  }, terminate_before_{};
 };
 
 }  // namespace stdc::app

@@ -6,7 +6,6 @@
 
 #include "run/frame_loader.hpp"
 #include "run/frame_range.hpp"
-#include "run/interrupt_watch.hpp"
 #include "run/output_folder.hpp"
 #include "run/process_usage.hpp"
 #include "run/sequence_input.hpp"
@@ -140,20 +139,6 @@ TEST(FrameLoader, CanBeLeftEarly) {
   const auto frame = loader.next();
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->name, "2") << "rewound, and to the first of the chosen frames";
-}
-
-TEST(InterruptWatch, HoldsTheSignalBack) {
-  const InterruptWatch watch;
-  EXPECT_FALSE(watch.interrupted());
-  raise(SIGTERM);  // to this thread: others, started by earlier tests, do not hold it back
-  EXPECT_TRUE(watch.interrupted());
-  sigset_t set;  // take it out again, or it would end the tests
-  sigemptyset(&set);
-  sigaddset(&set, SIGTERM);
-  int signal = 0;
-  sigwait(&set, &signal);
-  EXPECT_EQ(signal, SIGTERM);
-  EXPECT_FALSE(watch.interrupted());
 }
 
 TEST(ProcessUsage, IsPlausible) {
