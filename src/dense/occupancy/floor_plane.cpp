@@ -7,52 +7,32 @@
 #include <map>
 #include <numbers>
 
+#include "dense/occupancy/facets.hpp"
+
 namespace stdc {
 namespace {
-
-/// A triangle's share in what is looked for.
-struct Facet {
-  Eigen::Vector3d centre, normal;
-  double area = 0;
-};
-
-std::vector<Facet> facets_of(const TriangleMesh& mesh) {
-  std::vector<Facet> facets;
-  facets.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    const Eigen::Vector3d a = mesh.positions[triangle[0]].cast<double>(),
-                          b = mesh.positions[triangle[1]].cast<double>(),
-                          c = mesh.positions[triangle[2]].cast<double>();
-    const Eigen::Vector3d cross = (b - a).cross(c - a);
-    const double length = cross.norm();
-    if (length > 0) facets.push_back({(a + b + c) / 3, cross / length, length / 2});
-  }
-  return facets;
-}
 
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
 /// Turns a direction to where most surface around it faces, in narrowing cones.
 /// @returns the area that faces there in the end
-double settle(const std::vector<Facet>& facets, Eigen::Vector3d& up) {
+double settle(const Facets& facets, Eigen::Vector3d& up) {
   double area = 0;
   for (const double cone : {40.0, 25.0, 15.0, 8.0, 4.0, 4.0, 4.0}) {
     const double limit = cosine(cone);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     area = 0;
-    for (const Facet& facet : facets) {
-      if (facet.normal.dot(up) < limit) continue;
+    facets.for_each_facing(up, limit, [&](const Facet& facet) {
       sum += facet.area * facet.normal;
       area += facet.area;
-    }
+    });
     if (area <= 0) return 0;
     up = sum.normalized();
   }
   return area;
 }
 
-std::optional<Eigen::Vector3d> find_up(const std::vector<Facet>& facets,
-                                       const std::vector<PlacedView>& views) {
+std::optional<Eigen::Vector3d> find_up(const Facets& facets, const std::vector<PlacedView>& views) {
   std::optional<Eigen::Vector3d> best;
   double max_area = 0;
   const std::array<Eigen::Vector3d, 4> upwards{-Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX(),
@@ -70,7 +50,7 @@ std::optional<Eigen::Vector3d> find_up(const std::vector<Facet>& facets,
 }
 
 /// Height along `up` of the lowest large level surface below the cameras.
-std::optional<double> find_height(const std::vector<Facet>& facets, const std::vector<PlacedView>& views,
+std::optional<double> find_height(const Facets& facets, const std::vector<PlacedView>& views,
                                   const Eigen::Vector3d& up) {
   constexpr double kBin = 0.02, kMinArea = 0.25, kMinShare = 0.2, kBelow = 0.15;
   double lowest_camera = std::numeric_limits<double>::infinity();
@@ -78,11 +58,10 @@ std::optional<double> find_height(const std::vector<Facet>& facets, const std::v
     lowest_camera = std::min(lowest_camera, up.dot(view.cam_from_world.centre()));
   }
   std::map<int, double> areas;
-  for (const Facet& facet : facets) {
+  facets.for_each_facing(up, cosine(12), [&](const Facet& facet) {
     const double height = facet.centre.dot(up);
-    if (facet.normal.dot(up) < cosine(12) || height > lowest_camera - kBelow) continue;
-    areas[static_cast<int>(std::floor(height / kBin))] += facet.area;
-  }
+    if (height <= lowest_camera - kBelow) areas[static_cast<int>(std::floor(height / kBin))] += facet.area;
+  });
   // A surface may lie astride two bins.
   const auto area_at = [&](int bin) {
     double area = 0;
@@ -104,21 +83,21 @@ struct PlaneFit {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< about the origin
 };
 
-PlaneFit fit_plane(const std::vector<Facet>& facets, const Eigen::Vector3d& up, double height) {
+PlaneFit fit_plane(const Facets& facets, const Eigen::Vector3d& up, double height) {
   constexpr double kNear = 0.05, kCone = 12;  // [m, degrees]
   PlaneFit fit;
-  for (const Facet& facet : facets) {
-    if (facet.normal.dot(up) < cosine(kCone) || std::abs(facet.centre.dot(up) - height) > kNear) continue;
+  facets.for_each_facing(up, cosine(kCone), [&](const Facet& facet) {
+    if (std::abs(facet.centre.dot(up) - height) > kNear) return;
     fit.area += facet.area;
     fit.centre += facet.area * facet.centre;
     fit.spread += facet.area * facet.centre * facet.centre.transpose();
-  }
+  });
   if (fit.area > 0) fit.centre /= fit.area;
   return fit;
 }
 
 /// Turns `up` to the normal of what lies in the plane: far better known than the mean of single normals.
-void refine(const std::vector<Facet>& facets, Eigen::Vector3d& up, double& height) {
+void refine(const Facets& facets, Eigen::Vector3d& up, double& height) {
   for (int round = 0; round < 5; ++round) {
     const PlaneFit fit = fit_plane(facets, up, height);
     if (fit.area <= 0) return;
@@ -137,7 +116,7 @@ void refine(const std::vector<Facet>& facets, Eigen::Vector3d& up, double& heigh
 std::optional<FloorPlane> find_floor(const TriangleMesh& mesh, const std::vector<PlacedView>& views,
                                      const std::optional<Eigen::Vector3d>& given_up) {
   if (views.empty()) return std::nullopt;
-  const std::vector<Facet> facets = facets_of(mesh);
+  const Facets facets(mesh);
   std::optional<Eigen::Vector3d> up = given_up ? given_up->normalized() : find_up(facets, views);
   if (!up) return std::nullopt;
   std::optional<double> height = find_height(facets, views, *up);
