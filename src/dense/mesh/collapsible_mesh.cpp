@@ -5,13 +5,10 @@
 
 namespace stdc {
 
-CollapsibleMesh::CollapsibleMesh(const TriangleMesh& mesh)
-    : faces_(mesh.triangles), faces_of_(mesh.positions.size()), faces_left_(mesh.triangles.size()) {
-  positions_.reserve(mesh.positions.size());
-  for (const Eigen::Vector3f& position : mesh.positions) positions_.emplace_back(position.cast<double>());
-  for (Index f = 0; f < faces_.size(); ++f) {
-    for (const Index vertex : faces_[f]) faces_of_[vertex].push_back(f);
-  }
+CollapsibleMesh::CollapsibleMesh(const std::vector<Eigen::Vector3f>& positions, std::vector<Face> faces)
+    : faces_(std::move(faces)), faces_of_(faces_, positions.size()), faces_left_(faces_.size()) {
+  positions_.reserve(positions.size());
+  for (const Eigen::Vector3f& position : positions) positions_.emplace_back(position.cast<double>());
   kinds_.resize(positions_.size());
   for (Index vertex = 0; vertex < positions_.size(); ++vertex) kinds_[vertex] = kind_of(vertex);
 }
@@ -29,8 +26,7 @@ CollapsibleMesh::Kind CollapsibleMesh::kind_of(Index vertex) const {
 
 std::vector<CollapsibleMesh::Index> CollapsibleMesh::neighbours(Index vertex) const {
   std::vector<Index> found;
-  found.reserve(2 * faces_of_[vertex].size());
-  for (const Index f : faces_of_[vertex]) {
+  for (const Index f : faces_of(vertex)) {
     for (const Index other : faces_[f]) {
       if (other != vertex) found.push_back(other);
     }
@@ -41,8 +37,9 @@ std::vector<CollapsibleMesh::Index> CollapsibleMesh::neighbours(Index vertex) co
 }
 
 int CollapsibleMesh::faces_at_edge(Index a, Index b) const {
-  return static_cast<int>(
-      std::count_if(faces_of_[a].begin(), faces_of_[a].end(), [&](Index f) { return contains(f, b); }));
+  int count = 0;
+  for (const Index f : faces_of(a)) count += contains(f, b) ? 1 : 0;
+  return count;
 }
 
 std::vector<CollapsibleMesh::Index> CollapsibleMesh::along_border(Index vertex) const {
@@ -67,19 +64,20 @@ bool CollapsibleMesh::keeps_topology(Index kept, Index gone) const {
 void CollapsibleMesh::collapse(Index kept, Index gone, const Eigen::Vector3d& place) {
   positions_[kept] = place;
   if (kinds_[gone] != Kind::inner) kinds_[kept] = std::max(kinds_[kept], kinds_[gone]);
-  for (const Index f : faces_of_[gone]) {
-    if (!contains(f, kept)) {
+  std::vector<Index> vanish;
+  for (const Index f : faces_of(gone)) {
+    if (contains(f, kept)) {
+      vanish.push_back(f);
+    } else {
       std::replace(faces_[f].begin(), faces_[f].end(), gone, kept);
-      faces_of_[kept].push_back(f);
-      continue;
     }
-    for (const Index vertex : faces_[f]) {
-      if (vertex != gone) std::erase(faces_of_[vertex], f);
-    }
+  }
+  for (const Index f : vanish) {
+    for (const Index vertex : faces_[f]) faces_of_.remove(vertex, f);
     faces_[f].fill(kNone);
     --faces_left_;
   }
-  faces_of_[gone] = {};
+  faces_of_.append(kept, gone);
 }
 
 }  // namespace stdc

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dense/mesh/triangle_mesh.hpp"
+#include "dense/mesh/face_lists.hpp"
 
 namespace stdc {
 
@@ -16,11 +16,12 @@ class CollapsibleMesh {
   using Index = std::uint32_t;
   using Face = std::array<Index, 3>;
 
-  explicit CollapsibleMesh(const TriangleMesh& mesh);
+  /// @param positions  of the vertices [m]
+  CollapsibleMesh(const std::vector<Eigen::Vector3f>& positions, std::vector<Face> faces);
 
   const Eigen::Vector3d& position(Index vertex) const { return positions_[vertex]; }
   const Face& face(Index face) const { return faces_[face]; }
-  const std::vector<Index>& faces_of(Index vertex) const { return faces_of_[vertex]; }
+  FaceLists::List faces_of(Index vertex) const { return faces_of_.of(vertex); }
   std::size_t vertex_count() const { return positions_.size(); }
   std::size_t face_count() const { return faces_.size(); }
   std::size_t faces_left() const { return faces_left_; }
@@ -54,7 +55,7 @@ class CollapsibleMesh {
 
   std::vector<Eigen::Vector3d> positions_;
   std::vector<Face> faces_;
-  std::vector<std::vector<Index>> faces_of_;
+  FaceLists faces_of_;
   std::vector<Kind> kinds_;
   std::size_t faces_left_ = 0;
 };

@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
 
-float mean_edge(const TriangleMesh& mesh) {
+float mean_edge(const std::vector<Eigen::Vector3f>& positions,
+                const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   double sum = 0;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) sum += (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).norm();
+  for (const auto& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) sum += (positions[t[k]] - positions[t[(k + 1) % 3]]).norm();
   }
-  return static_cast<float>(sum / std::max(1.0, 3.0 * static_cast<double>(mesh.triangles.size())));
+  return static_cast<float>(sum / std::max(1.0, 3.0 * static_cast<double>(triangles.size())));
 }
 
 }  // namespace
@@ -30,16 +31,16 @@ NewTriangle::NewTriangle(std::uint32_t face_index, const std::array<Eigen::Vecto
       normal(second.cross(third)),
       colours(corner_colours) {}
 
-CoveredPoints::CoveredPoints(const TriangleMesh& mesh, float tolerance, float colour_tolerance)
-    : positions_(mesh.positions),
-      normals_(mesh.normals),
-      colours_(mesh.colours),
+CoveredPoints::CoveredPoints(TriangleMesh mesh, float tolerance, float colour_tolerance)
+    : positions_(std::move(mesh.positions)),
+      normals_(std::move(mesh.normals)),
+      colours_(std::move(mesh.colours)),
       tolerance_(tolerance),
       colour_tolerance_(colour_tolerance),
-      spacing_(mean_edge(mesh)),
+      spacing_(mean_edge(positions_, mesh.triangles)),
       heads_(mesh.triangles.size(), kNoPoint),
-      next_(mesh.positions.size(), kNoPoint) {
-  std::vector<bool> held(mesh.positions.size(), false);
+      next_(positions_.size(), kNoPoint) {
+  std::vector<bool> held(positions_.size(), false);
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     for (const std::uint32_t point : mesh.triangles[f]) {
       if (held[point]) continue;

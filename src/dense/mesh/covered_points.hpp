@@ -27,7 +27,7 @@ class CoveredPoints {
  public:
   /// @param tolerance         [m]
   /// @param colour_tolerance  of any channel, of 255
-  CoveredPoints(const TriangleMesh& mesh, float tolerance, float colour_tolerance);
+  CoveredPoints(TriangleMesh mesh, float tolerance, float colour_tolerance);
 
   /// Hands the points of old faces over to new ones that are near enough to each, look in its direction and
   /// have its colour. Changes nothing and returns false if a point finds none.

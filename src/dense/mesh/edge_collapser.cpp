@@ -3,41 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dense/mesh/nearest_point.hpp"
+#include "dense/mesh/triangle_shape.hpp"
+
 namespace stdc {
 namespace {
 
 using Vertex = Eigen::Vector3d;
 
-/// Distance of a point from the line between two others.
-double distance_to_segment(const Vertex& point, const Vertex& from, const Vertex& to) {
-  const Vertex along = to - from;
-  const double length = along.squaredNorm();
-  const double t = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0;
-  return (from + t * along - point).norm();
-}
-
-/// Twice the area over the square of the longest side: 0.87 for the best triangle, 0 for a line.
-double shape_of(const Vertex& a, const Vertex& b, const Vertex& c) {
-  const double longest = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
-  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
-}
-
 }  // namespace
 
-EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const MeshSimplification& simplification)
+EdgeCollapser::EdgeCollapser(TriangleMesh mesh, const MeshSimplification& simplification)
     : simplification_(simplification),
-      mesh_(mesh),
+      mesh_(mesh.positions, mesh.triangles),
       quadrics_(mesh.positions.size()),
       facings_(mesh.positions.size(), Eigen::Vector3f::Zero()),
       border_errors_(mesh.positions.size(), 0),
       changes_(mesh.positions.size(), 0) {
-  if (simplification.tolerance > 0) {
-    points_.emplace(mesh, static_cast<float>(simplification.tolerance),
-                    static_cast<float>(simplification.colour_tolerance));
-  }
+  colours_.reserve(mesh.colours.size());
   for (const auto& colour : mesh.colours)
     colours_.emplace_back(Eigen::Vector3f(colour[0], colour[1], colour[2]));
-  add_planes(mesh);
+  if (simplification.tolerance > 0) {
+    points_.emplace(std::move(mesh), static_cast<float>(simplification.tolerance),
+                    static_cast<float>(simplification.colour_tolerance));
+  }
+  mesh = {};  // here or there all is kept that is needed of it
+  add_planes();
+  queue_.reserve(mesh_.face_count() / 4 * 7 +
+                 16);  // there are 3/2 as many edges as faces, and those at borders
   for (Index a = 0; a < mesh_.vertex_count(); ++a) {
     for (const Index b : mesh_.neighbours(a)) {
       if (a < b) queue_edge(a, b);
@@ -46,16 +39,16 @@ EdgeCollapser::EdgeCollapser(const TriangleMesh& mesh, const MeshSimplification&
 }
 
 /// Each triangle's plane weighs by its area, which makes the sum independent of how finely a surface is cut.
-void EdgeCollapser::add_planes(const TriangleMesh& mesh) {
+void EdgeCollapser::add_planes() {
   double edges = 0;
   for (Index f = 0; f < mesh_.face_count(); ++f) {
-    const auto& [a, b, c] = mesh.triangles[f];
+    const auto& [a, b, c] = mesh_.face(f);
     const Vertex cross = (mesh_.position(b) - mesh_.position(a)).cross(mesh_.position(c) - mesh_.position(a));
     const double length = cross.norm();
     edges += std::sqrt(length);
     if (!(length > 0)) continue;
     const Quadric plane = Quadric::of_plane(cross / length, mesh_.position(a), length / 2);
-    for (const Index vertex : mesh.triangles[f]) {
+    for (const Index vertex : mesh_.face(f)) {
       quadrics_[vertex] += plane;
       facings_[vertex] += cross.cast<float>();
     }
@@ -85,7 +78,13 @@ void EdgeCollapser::add_border_planes(Index face) {
 void EdgeCollapser::queue_edge(Index a, Index b) {
   const auto collapse = plan(std::min(a, b), std::max(a, b));
   if (!collapse) return;
-  queue_.push({collapse->cost, std::min(a, b), std::max(a, b), changes_[a] + changes_[b]});
+  queue_.push({collapse->cost, std::min(a, b), std::max(a, b), changes_[a] + changes_[b]},
+              [this](const CollapseCandidate& candidate) { return up_to_date(candidate); });
+}
+
+bool EdgeCollapser::up_to_date(const CollapseCandidate& candidate) const {
+  return !mesh_.faces_of(candidate.a).empty() && !mesh_.faces_of(candidate.b).empty() &&
+         candidate.changes == changes_[candidate.a] + changes_[candidate.b];
 }
 
 std::optional<EdgeCollapser::Collapse> EdgeCollapser::plan(Index a, Index b) const {
@@ -118,12 +117,8 @@ std::optional<EdgeCollapser::Collapse> EdgeCollapser::plan(Index a, Index b) con
 
 void EdgeCollapser::run() {
   while (!queue_.empty() && mesh_.faces_left() > simplification_.triangles) {
-    const Candidate next = queue_.top();
-    queue_.pop();
-    if (mesh_.faces_of(next.a).empty() || mesh_.faces_of(next.b).empty() ||
-        next.changes != changes_[next.a] + changes_[next.b]) {
-      continue;
-    }
+    const CollapseCandidate next = queue_.pop();
+    if (!up_to_date(next)) continue;
     const auto collapse = plan(next.a, next.b);
     if (!collapse || !try_collapse(*collapse)) continue;
     ++changes_[collapse->kept];
@@ -209,7 +204,8 @@ bool EdgeCollapser::covers(const std::vector<Index>& staying, const Collapse& co
     }
     triangles.emplace_back(f, corners, colours);
   }
-  std::vector<Index> old_faces = mesh_.faces_of(collapse.kept);
+  const FaceLists::List kept_faces = mesh_.faces_of(collapse.kept);
+  std::vector<Index> old_faces(kept_faces.begin(), kept_faces.end());
   for (const Index f : mesh_.faces_of(collapse.gone)) {
     if (!mesh_.contains(f, collapse.kept)) old_faces.push_back(f);
   }

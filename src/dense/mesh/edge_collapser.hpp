@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <queue>
 #include <vector>
 
+#include "dense/mesh/collapse_queue.hpp"
 #include "dense/mesh/collapsible_mesh.hpp"
 #include "dense/mesh/covered_points.hpp"
 #include "dense/mesh/mesh_simplification.hpp"
@@ -14,7 +14,8 @@ namespace stdc {
 /// Collapses the edges of a mesh in the order of what that costs.
 class EdgeCollapser {
  public:
-  EdgeCollapser(const TriangleMesh& mesh, const MeshSimplification& simplification);
+  /// @param mesh  is used up
+  EdgeCollapser(TriangleMesh mesh, const MeshSimplification& simplification);
 
   void run();
   /// What is left, without normals. Vertices and triangles in the order that they had.
@@ -29,20 +30,11 @@ class EdgeCollapser {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     double cost = 0;
   };
-  /// An edge in the queue. It is out of date when one of its vertices has changed since.
-  struct Candidate {
-    double cost;
-    Index a, b;
-    std::uint32_t changes;
-    bool operator<(const Candidate& other) const {  // the cheapest comes first; no two are equal
-      if (cost != other.cost) return cost > other.cost;
-      return a != other.a ? a > other.a : b > other.b;
-    }
-  };
 
-  void add_planes(const TriangleMesh& mesh);
+  void add_planes();
   void add_border_planes(Index face);
   void queue_edge(Index a, Index b);
+  bool up_to_date(const CollapseCandidate& candidate) const;
   std::optional<Collapse> plan(Index a, Index b) const;
   bool try_collapse(const Collapse& collapse);
   std::optional<double> border_error(const Collapse& collapse) const;
@@ -59,7 +51,7 @@ class EdgeCollapser {
   std::vector<Eigen::Vector3f> colours_;
   std::vector<double> border_errors_;  ///< how far the border beside a vertex may be from where it was [m]
   std::vector<std::uint32_t> changes_;
-  std::priority_queue<Candidate> queue_;
+  CollapseQueue queue_;
   double metres_per_colour_ = 0;  ///< a difference in colour of 1 of 255 costs as much as this distance
 };
 

@@ -44,4 +44,13 @@ inline float distance_to_triangle(const Eigen::Vector3f& point, const Eigen::Vec
   return (a + at.second * (b - a) + at.third * (c - a) - point).norm();
 }
 
+/// Distance of a point from the line between two others.
+inline double distance_to_segment(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                                  const Eigen::Vector3d& to) {
+  const Eigen::Vector3d along = to - from;
+  const double length = along.squaredNorm();
+  const double t = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0;
+  return (from + t * along - point).norm();
+}
+
 }  // namespace stdc
