@@ -9,7 +9,7 @@
 #include "core/camera.hpp"
 #include "core/whole_file.hpp"
 #include "dense/dense_settings.hpp"
-#include "dense/fusion/make_field.hpp"
+#include "dense/fusion/placed_view.hpp"
 #include "dense/mesh/triangle_mesh.hpp"
 #include "dense/occupancy/floor_plane.hpp"
 

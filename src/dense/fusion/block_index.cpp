@@ -35,4 +35,11 @@ void BlockIndex::sort() {
   rebuild(slots_.size());
 }
 
+std::size_t BlockIndex::end_of_layer(std::size_t block) const {
+  const auto from = keys_.begin() + static_cast<std::ptrdiff_t>(block);
+  const auto end = std::upper_bound(from, keys_.end(), from->x,
+                                    [](std::int32_t x, const BlockKey& key) { return x < key.x; });
+  return static_cast<std::size_t>(end - keys_.begin());
+}
+
 }  // namespace stdc

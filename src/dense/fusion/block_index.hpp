@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,13 @@ namespace stdc {
 struct BlockKey {
   std::int32_t x = 0, y = 0, z = 0;
   auto operator<=>(const BlockKey&) const = default;
+};
+
+/// Blocks in a row: first .. last - 1.
+struct BlockRange {
+  std::size_t first = 0, last = 0;
+  std::size_t size() const { return last - first; }
+  bool contains(std::size_t block) const { return block >= first && block < last; }
 };
 
 /// A hash table from places to numbers 0, 1, ... (Niessner et al., 'Real-time 3D Reconstruction at Scale
@@ -26,6 +34,8 @@ class BlockIndex {
   void add(const BlockKey& key);
   /// Numbers the places in their own order.
   void sort();
+  /// After sort(): the first block after a layer, which is all blocks with one x.
+  std::size_t end_of_layer(std::size_t block) const;
 
   const std::vector<BlockKey>& keys() const { return keys_; }
   std::size_t size() const { return keys_.size(); }

@@ -16,7 +16,7 @@ BlockKey block_of(const Eigen::Vector3f& in_blocks) {
 
 /// Whether a view may tell something of a ball: it is before the camera, within the image, and not far behind
 /// all that is seen there.
-bool concerns(const ViewSamples& view, const Eigen::Vector3f& centre, float radius, float behind) {
+bool may_tell(const ViewSamples& view, const Eigen::Vector3f& centre, float radius, float behind) {
   constexpr float kNearest = 0.1F;
   if (centre.z() + radius < kNearest) return false;
   const float z = std::max(centre.z() - radius, kNearest);
@@ -31,6 +31,21 @@ bool concerns(const ViewSamples& view, const Eigen::Vector3f& centre, float radi
                                         pixel(u + reach_x, width), pixel(v + reach_y, height));
   return farthest > 0 && centre.z() - radius <= farthest + behind;
 }
+
+/// Where a camera has the blocks of a field.
+struct BlockPlaces {
+  BlockPlaces(const DistanceField& field, const Pose& cam_from_world)
+      : rotation(cam_from_world.rotation_matrix().cast<float>()),
+        shift(cam_from_world.translation.cast<float>()),
+        to_centre(rotation * Eigen::Vector3f::Constant(0.5F * (DistanceField::kSide - 1) * field.voxel())),
+        radius(0.87F * DistanceField::kSide * field.voxel()),
+        behind(3 * field.truncation()) {}
+
+  Eigen::Matrix3f rotation;
+  Eigen::Vector3f shift;
+  Eigen::Vector3f to_centre;  ///< of a block from its first voxel's
+  float radius, behind;       ///< of a ball around a block; what of it may be behind a surface [m]
+};
 
 }  // namespace
 
@@ -61,31 +76,48 @@ void DistanceField::mark(const ViewSamples& view, const Pose& world_from_cam) {
   }
 }
 
-void DistanceField::allocate() {
-  blocks_.sort();
-  sums_.assign(blocks_.size() * kVoxels, 0);
-  weights_.assign(blocks_.size() * kVoxels, 0);
+void DistanceField::reserve(std::size_t blocks) {
+  sums_.reserve(blocks * kVoxels);
+  weights_.reserve(blocks * kVoxels);
 }
 
-void DistanceField::integrate(const ViewSamples& view, const Pose& cam_from_world, std::size_t first,
-                              std::size_t last) {
-  const Eigen::Matrix3f rotation = cam_from_world.rotation_matrix().cast<float>();
-  const Eigen::Vector3f shift = cam_from_world.translation.cast<float>();
+void DistanceField::hold(BlockRange blocks) {
+  const std::size_t kept = blocks.first < held_.last ? held_.last - blocks.first : 0;
+  const auto move = [&](auto& voxels) {
+    if (kept > 0)
+      std::copy(voxels.end() - static_cast<std::ptrdiff_t>(kept * kVoxels), voxels.end(), voxels.begin());
+    voxels.resize(kept * kVoxels);
+    voxels.resize(blocks.size() * kVoxels, 0);
+  };
+  move(sums_);
+  move(weights_);
+  held_ = blocks;
+}
+
+bool DistanceField::concerns(const ViewSamples& view, const Pose& cam_from_world, BlockRange blocks) const {
+  const BlockPlaces places(*this, cam_from_world);
+  for (std::size_t block = blocks.first; block < blocks.last; ++block) {
+    const Eigen::Vector3f start = places.rotation * origin(blocks_.keys()[block]) + places.shift;
+    if (may_tell(view, start + places.to_centre, places.radius, places.behind)) return true;
+  }
+  return false;
+}
+
+void DistanceField::integrate(const ViewSamples& view, const Pose& cam_from_world, BlockRange blocks) {
+  const BlockPlaces places(*this, cam_from_world);
   BlockTask task{};
   task.truncation = truncation_;
   for (int k = 0; k < 3; ++k) {
-    task.step_x[k] = rotation(k, 0) * voxel_;
-    task.step_y[k] = rotation(k, 1) * voxel_;
-    task.step_z[k] = rotation(k, 2) * voxel_;
+    task.step_x[k] = places.rotation(k, 0) * voxel_;
+    task.step_y[k] = places.rotation(k, 1) * voxel_;
+    task.step_z[k] = places.rotation(k, 2) * voxel_;
   }
-  const Eigen::Vector3f to_centre = rotation * Eigen::Vector3f::Constant(0.5F * (kSide - 1) * voxel_);
-  const float radius = 0.87F * kSide * voxel_;
-  for (std::size_t block = first; block < last; ++block) {
-    const Eigen::Vector3f start = rotation * origin(blocks_.keys()[block]) + shift;
-    if (!concerns(view, start + to_centre, radius, 3 * truncation_)) continue;
+  for (std::size_t block = blocks.first; block < blocks.last; ++block) {
+    const Eigen::Vector3f start = places.rotation * origin(blocks_.keys()[block]) + places.shift;
+    if (!may_tell(view, start + places.to_centre, places.radius, places.behind)) continue;
     for (int k = 0; k < 3; ++k) task.start[k] = start[k];
-    task.sums = sums_.data() + block * kVoxels;
-    task.weights = weights_.data() + block * kVoxels;
+    task.sums = sums_.data() + (block - held_.first) * kVoxels;
+    task.weights = weights_.data() + (block - held_.first) * kVoxels;
     integrate_block(view, task);
   }
 }

@@ -12,13 +12,13 @@ namespace {
 constexpr int kBorder = SampleRow::kSlopeReach;
 constexpr int kVector = 16;  ///< values that a kernel may read or write too many
 
-void find_tile_maxima(ViewSamples& samples) {
+void find_tile_maxima(const float* depths, ViewSamples& samples) {
   const int width = samples.pinhole.width, height = samples.pinhole.height;
   samples.tile_columns = (width + ViewSamples::kTile - 1) / ViewSamples::kTile;
   samples.tile_rows = (height + ViewSamples::kTile - 1) / ViewSamples::kTile;
   samples.tile_max.assign(static_cast<std::size_t>(samples.tile_columns * samples.tile_rows), 0);
   for (int y = 0; y < height; ++y) {
-    const float* row = samples.depths.data() + static_cast<std::size_t>(y) * width;
+    const float* row = depths + static_cast<std::size_t>(y) * width;
     float* tiles =
         samples.tile_max.data() + static_cast<std::size_t>(y / ViewSamples::kTile * samples.tile_columns);
     for (int tile = 0; tile < samples.tile_columns; ++tile) {
@@ -31,8 +31,8 @@ void find_tile_maxima(ViewSamples& samples) {
 
 }  // namespace
 
-ViewSamples make_samples(const FusedDepth& fused, const Pinhole& pinhole, int min_frames) {
-  ViewSamples samples;
+void make_samples(const FusedDepth& fused, const Pinhole& pinhole, int min_frames, SampleScratch& scratch,
+                  ViewSamples& samples) {
   samples.pinhole = pinhole;
   const auto width = static_cast<std::size_t>(pinhole.width),
              height = static_cast<std::size_t>(pinhole.height);
@@ -40,9 +40,10 @@ ViewSamples make_samples(const FusedDepth& fused, const Pinhole& pinhole, int mi
   samples.infos.resize(width * height + kVector);
   // With nothing all around, so that neighbours need no checks.
   const std::size_t stride = width + 2 * kBorder + kVector;
-  std::vector<float> padded(stride * (height + 2 * kBorder) + kVector, 0.F);
-  std::vector<float> rays(width + kVector, 0.F);
-  std::vector<std::uint8_t> support(width + kVector, 0);
+  auto& [padded, rays, support] = scratch;
+  padded.assign(stride * (height + 2 * kBorder) + kVector, 0.F);
+  rays.assign(width + kVector, 0.F);
+  support.assign(width + kVector, 0);
   const auto row = [&](std::size_t y) { return padded.data() + (y + kBorder) * stride + kBorder; };
   for (std::size_t y = 0; y < height; ++y) {
     std::memcpy(row(y), fused.depth.ptr<float>(static_cast<int>(y)), width * sizeof(float));
@@ -56,12 +57,11 @@ ViewSamples make_samples(const FusedDepth& fused, const Pinhole& pinhole, int mi
                 pinhole.ray_y(static_cast<float>(y)), pinhole.fx, pinhole.fy, pinhole.width, min_frames,
                 samples.depths.data() + y * width, samples.infos.data() + y * width});
   }
-  find_tile_maxima(samples);
-  return samples;
+  find_tile_maxima(samples.depths.data(), samples);
 }
 
-ViewSamples make_depth_samples(const FusedDepth& fused, const Pinhole& pinhole, int min_frames) {
-  ViewSamples samples;
+void make_depth_samples(const FusedDepth& fused, const Pinhole& pinhole, int min_frames,
+                        SampleScratch& /*scratch*/, ViewSamples& samples) {
   samples.pinhole = pinhole;
   samples.depths.resize(fused.depth.total());
   const auto* z = fused.depth.ptr<float>();
@@ -70,7 +70,7 @@ ViewSamples make_depth_samples(const FusedDepth& fused, const Pinhole& pinhole, 
     const int frames = support[i] & FusedDepth::kCount;
     samples.depths[i] = frames >= min_frames && is_known(z[i], frames) ? z[i] : 0;
   }
-  return samples;
+  find_tile_maxima(z, samples);
 }
 
 }  // namespace stdc

@@ -5,7 +5,7 @@
 
 #include "core/camera.hpp"
 #include "dense/dense_settings.hpp"
-#include "dense/fusion/make_field.hpp"
+#include "dense/fusion/placed_view.hpp"
 
 namespace stdc::test {
 

@@ -18,6 +18,8 @@ void encode_view(const FusedDepth& fused, float max_depth, const cv::Mat& colour
 /// The depth and support of a view. Empty images if its bytes are no such images of that size, as in a map
 /// file that somebody has tampered with.
 FusedDepth decode_depth(const DenseView& view, cv::Size size);
+/// The same into memory that is there already. False, with `fused` of no use, if there are no such images.
+bool decode_depth(const DenseView& view, cv::Size size, FusedDepth& fused);
 /// The colour of a view, CV_8UC3; empty like that.
 cv::Mat decode_colour(const DenseView& view, cv::Size size);
 

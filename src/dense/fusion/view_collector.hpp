@@ -6,7 +6,7 @@
 #include "atlas/dense_view.hpp"
 #include "dense/dense_settings.hpp"
 #include "dense/fusion/depth_window.hpp"
-#include "dense/fusion/make_field.hpp"
+#include "dense/fusion/placed_view.hpp"
 #include "dense/fusion/rectifier.hpp"
 #include "dense/fusion/view_coverage.hpp"
 

@@ -23,6 +23,11 @@ struct ViewSamples {
   int tile_columns = 0, tile_rows = 0;
   std::vector<float> tile_max;  ///< farthest depth in each tile of kTile x kTile pixels [m], 0: none
 
+  bool empty() const { return depths.empty(); }
+  /// Forgets the pixels but not their memory.
+  void clear() { depths.clear(), infos.clear(); }
+  /// The same without the pixels: enough for max_depth().
+  ViewSamples reach() const { return {pinhole, {}, {}, tile_columns, tile_rows, tile_max}; }
   /// Farthest depth within a rectangle of pixels, which may reach beyond the image.
   float max_depth(int left, int top, int right, int bottom) const;
 };

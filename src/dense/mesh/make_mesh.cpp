@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "dense/fusion/field_windows.hpp"
 #include "dense/mesh/surface_extraction.hpp"
 #include "dense/mesh/vertex_colours.hpp"
 
@@ -28,10 +29,13 @@ MapId map_with_most_views(const DenseViews& views, const AtlasSnapshot& snapshot
 
 TriangleMesh make_mesh(const std::vector<PlacedView>& views, const Pinhole& pinhole,
                        const DenseSettings& settings, int threads) {
-  TriangleMesh mesh = extract_surface(make_field(views, pinhole, settings, threads), settings.min_weight);
+  SurfaceExtraction surface(settings.min_weight);
+  for_each_window(views, pinhole, settings, threads, kBlocksInWindow,
+                  [&](const DistanceField& field, BlockRange blocks) { surface.add(field, blocks); });
+  TriangleMesh mesh = surface.take();
   drop_small_components(mesh, settings.min_component);
-  compute_normals(mesh);
   colour_vertices(mesh, views, pinhole, settings, threads);
+  compute_normals(mesh);  // last: nothing needs them before, and making colours takes most memory
   return mesh;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "atlas/atlas_snapshot.hpp"
-#include "dense/fusion/make_field.hpp"
+#include "dense/dense_settings.hpp"
+#include "dense/fusion/pinhole.hpp"
+#include "dense/fusion/placed_view.hpp"
 #include "dense/mesh/triangle_mesh.hpp"
 
 namespace stdc {

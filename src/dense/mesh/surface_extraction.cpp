@@ -1,94 +1,22 @@
 #include "dense/mesh/surface_extraction.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
-#include "dense/mesh/cube_cases.hpp"
+#include "dense/mesh/block_corners.hpp"
 
 namespace stdc {
 namespace {
 
 constexpr int kSide = DistanceField::kSide;
 
-/// Which of the 3 x 512 edges that begin at a block's voxels the surface crosses, and the number of the
-/// vertex on each: a bit per edge and a running count per word, a fraction of what a table of numbers would
-/// take.
-class EdgeVertices {
- public:
-  static constexpr int kEdges = 3 * DistanceField::kVoxels;
-
-  void set(int edge) { words_[edge / 64] |= std::uint64_t{1} << (edge % 64); }
-  bool has(int edge) const { return (words_[edge / 64] >> (edge % 64) & 1U) != 0; }
-  void number(std::uint32_t first) {
-    first_ = first;
-    std::uint16_t count = 0;
-    for (int word = 0; word < kWords; ++word) {
-      before_[word] = count;
-      count = static_cast<std::uint16_t>(count + std::popcount(words_[word]));
-    }
-  }
-  std::uint32_t vertex(int edge) const {
-    const std::uint64_t below = words_[edge / 64] & ((std::uint64_t{1} << (edge % 64)) - 1);
-    return first_ + before_[edge / 64] + static_cast<std::uint32_t>(std::popcount(below));
-  }
-
- private:
-  static constexpr int kWords = kEdges / 64;
-  std::array<std::uint64_t, kWords> words_{};
-  std::array<std::uint16_t, kWords> before_{};
-  std::uint32_t first_ = 0;
-};
-
-/// The distances of a block and of the first layers of the blocks after it.
-class BlockCorners {
- public:
-  BlockCorners(const DistanceField& field, int min_weight) : field_(field), min_weight_(min_weight) {}
-
-  void set_block(std::size_t block) {
-    const BlockKey key = field_.blocks().keys()[block];
-    for (int n = 0; n < 8; ++n) {
-      neighbours_[n] = field_.blocks().find({key.x + (n & 1), key.y + (n >> 1 & 1), key.z + (n >> 2 & 1)});
-    }
-    for (int z = 0; z <= kSide; ++z) {
-      for (int y = 0; y <= kSide; ++y) {
-        for (int x = 0; x <= kSide; ++x) values_[at(x, y, z)] = fetch(x, y, z);
-      }
-    }
-  }
-  /// In units of the field; kUnknown where too little is known.
-  float value(int x, int y, int z) const { return values_[at(x, y, z)]; }
-  /// The block that has a voxel of this one or after it.
-  std::uint32_t block_at(int x, int y, int z) const {
-    return neighbours_[(x >= kSide ? 1 : 0) | (y >= kSide ? 2 : 0) | (z >= kSide ? 4 : 0)];
-  }
-  static int voxel(int x, int y, int z) { return ((z % kSide) * kSide + y % kSide) * kSide + x % kSide; }
-  static constexpr float kUnknown = 1e9F;
-
- private:
-  static int at(int x, int y, int z) { return (z * (kSide + 1) + y) * (kSide + 1) + x; }
-  float fetch(int x, int y, int z) const {
-    const std::uint32_t block = block_at(x, y, z);
-    if (block == BlockIndex::kNone) return kUnknown;
-    const int index = voxel(x, y, z);
-    const int weight = field_.weights(block)[index];
-    if (weight < min_weight_) return kUnknown;
-    return static_cast<float>(field_.sums(block)[index]) / static_cast<float>(weight);
-  }
-
-  const DistanceField& field_;
-  int min_weight_;
-  std::array<std::uint32_t, 8> neighbours_{};
-  std::array<float, (kSide + 1) * (kSide + 1) * (kSide + 1)> values_{};
-};
-
 bool crosses(float a, float b) {
   return a != BlockCorners::kUnknown && b != BlockCorners::kUnknown && (a < 0) != (b < 0);
 }
 
 /// Makes the vertices on the edges that begin in a block.
-void add_vertices(const BlockCorners& corners, const Eigen::Vector3f& origin, float voxel,
-                  EdgeVertices& edges, TriangleMesh& mesh) {
+void add_block_vertices(const BlockCorners& corners, const Eigen::Vector3f& origin, float voxel,
+                        EdgeVertices& edges, TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (int z = 0, index = 0; z < kSide; ++z) {
     for (int y = 0; y < kSide; ++y) {
@@ -108,8 +36,11 @@ void add_vertices(const BlockCorners& corners, const Eigen::Vector3f& origin, fl
   edges.number(first);
 }
 
-void add_triangles(const BlockCorners& corners, const std::vector<EdgeVertices>& edges,
-                   const CubeCases& cases, TriangleMesh& mesh) {
+/// Makes the triangles of the cubes that begin in a block.
+/// @param edges  gives the vertices of a block by its number
+template <typename Edges>
+void add_block_triangles(const BlockCorners& corners, const Edges& edges, const CubeCases& cases,
+                         TriangleMesh& mesh) {
   for (int z = 0; z < kSide; ++z) {
     for (int y = 0; y < kSide; ++y) {
       for (int x = 0; x < kSide; ++x) {
@@ -128,7 +59,7 @@ void add_triangles(const BlockCorners& corners, const std::vector<EdgeVertices>&
             const int ex = x + (edge.corner & 1), ey = y + (edge.corner >> 1 & 1),
                       ez = z + (edge.corner >> 2);
             vertices[k] =
-                edges[corners.block_at(ex, ey, ez)].vertex(3 * BlockCorners::voxel(ex, ey, ez) + edge.axis);
+                edges(corners.block_at(ex, ey, ez)).vertex(3 * BlockCorners::voxel(ex, ey, ez) + edge.axis);
           }
           mesh.triangles.push_back(vertices);
         }
@@ -156,21 +87,61 @@ class Groups {
 
 }  // namespace
 
-TriangleMesh extract_surface(const DistanceField& field, int min_weight) {
-  TriangleMesh mesh;
-  const CubeCases cases;
-  BlockCorners corners(field, std::max(1, min_weight));
-  const std::size_t count = field.blocks().size();
-  std::vector<EdgeVertices> edges(count);
-  for (std::size_t block = 0; block < count; ++block) {
-    corners.set_block(block);
-    add_vertices(corners, field.origin(field.blocks().keys()[block]), field.voxel(), edges[block], mesh);
+SurfaceExtraction::SurfaceExtraction(int min_weight) : min_weight_(std::max(1, min_weight)) {}
+
+void SurfaceExtraction::add(const DistanceField& field, BlockRange blocks) {
+  // A cube at the end of a block has vertices on edges of the next layer's blocks, so triangles come a layer
+  // later.
+  for (std::size_t first = blocks.first; first < blocks.last;) {
+    const BlockRange layer{first, field.blocks().end_of_layer(first)};
+    add_vertices(field, layer);
+    add_triangles(field, last_layer_);
+    surfaces_.erase(surfaces_.begin(), surfaces_.begin() + static_cast<std::ptrdiff_t>(last_layer_.size()));
+    last_layer_ = layer;
+    first = layer.last;
   }
-  for (std::size_t block = 0; block < count; ++block) {
-    corners.set_block(block);
-    add_triangles(corners, edges, cases, mesh);
+  if (blocks.last == field.blocks().size()) {
+    add_triangles(field, last_layer_);
+  } else if (blocks.last > 0) {
+    expect(static_cast<double>(field.blocks().size()) / static_cast<double>(blocks.last));
   }
-  return mesh;
+}
+
+/// Takes memory for all that is to come, which is none until it is used: vectors that double when they are
+/// full have three times their size just when there is most in them.
+void SurfaceExtraction::expect(double growth) {
+  constexpr double kMargin = 1.15;
+  const auto make_room = [&](auto& elements) {
+    const double expected = growth * static_cast<double>(elements.size());
+    if (expected > static_cast<double>(elements.capacity()))
+      elements.reserve(static_cast<std::size_t>(kMargin * expected));
+  };
+  make_room(mesh_.positions);
+  make_room(mesh_.triangles);
+}
+
+void SurfaceExtraction::add_vertices(const DistanceField& field, BlockRange layer) {
+  BlockCorners corners(field, min_weight_);
+  for (std::size_t block = layer.first; block < layer.last; ++block) {
+    corners.set_block(block);
+    BlockSurface& surface = surfaces_.emplace_back();
+    surface.may_be_there = corners.may_hold_surface();
+    if (!surface.may_be_there) continue;
+    add_block_vertices(corners, field.origin(field.blocks().keys()[block]), field.voxel(), surface.edges,
+                       mesh_);
+  }
+}
+
+void SurfaceExtraction::add_triangles(const DistanceField& field, BlockRange layer) {
+  BlockCorners corners(field, min_weight_);
+  const auto edges = [&](std::size_t block) -> const EdgeVertices& {
+    return surfaces_[block - layer.first].edges;
+  };
+  for (std::size_t block = layer.first; block < layer.last; ++block) {
+    if (!surfaces_[block - layer.first].may_be_there) continue;
+    corners.set_block(block);
+    add_block_triangles(corners, edges, cases_, mesh_);
+  }
 }
 
 void drop_small_components(TriangleMesh& mesh, double min_area) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dense/fusion/depth_noise.hpp"
+#include "dense/fusion/view_batches.hpp"
 #include "dense/fusion/view_codec.hpp"
 #include "dense/parallel.hpp"
 
@@ -108,14 +109,14 @@ void colour_vertices(TriangleMesh& mesh, const std::vector<PlacedView>& views, c
                   std::vector<cv::Mat> colours(samples.size());
                   parallel_for(samples.size(), threads, [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i) {
-                      if (samples[i])
+                      if (!samples[i].empty())
                         colours[i] = decode_colour(*views[first + i].view, {pinhole.width, pinhole.height});
                     }
                   });
                   parallel_for(balls.size(), threads, [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = 0; i < samples.size(); ++i) {
-                      if (!samples[i] || colours[i].empty()) continue;
-                      const ViewColours view(*samples[i], colours[i], views[first + i].cam_from_world,
+                      if (samples[i].empty() || colours[i].empty()) continue;
+                      const ViewColours view(samples[i], colours[i], views[first + i].cam_from_world,
                                              static_cast<float>(settings.voxel));
                       for (std::size_t run = begin; run < end; ++run) {
                         if (!view.may_see(balls[run])) continue;

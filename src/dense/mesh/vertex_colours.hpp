@@ -1,6 +1,8 @@
 #pragma once
 
-#include "dense/fusion/make_field.hpp"
+#include "dense/dense_settings.hpp"
+#include "dense/fusion/pinhole.hpp"
+#include "dense/fusion/placed_view.hpp"
 #include "dense/mesh/triangle_mesh.hpp"
 
 namespace stdc {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "dense/fusion/make_field.hpp"
+#include "dense/fusion/placed_view.hpp"
 #include "dense/mesh/triangle_mesh.hpp"
 
 namespace stdc {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "dense/fusion/view_batches.hpp"
 #include "dense/parallel.hpp"
 
 namespace stdc {
@@ -92,8 +93,8 @@ OccupancyCells find_occupancy(const TriangleMesh& mesh, const std::vector<Placed
                   parallel_for(static_cast<std::size_t>(cells.count[2]), threads,
                                [&](std::size_t begin, std::size_t end) {
                                  for (std::size_t i = 0; i < samples.size(); ++i) {
-                                   if (!samples[i]) continue;
-                                   add_view(*samples[i], views[first + i].cam_from_world * world_from_frame,
+                                   if (samples[i].empty()) continue;
+                                   add_view(samples[i], views[first + i].cam_from_world * world_from_frame,
                                             begin, end, cells);
                                  }
                                });
