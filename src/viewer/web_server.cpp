@@ -11,6 +11,7 @@
 
 #include "viewer/listening.hpp"
 #include "viewer/sigpipe_guard.hpp"
+#include "viewer/thread_stacks.hpp"
 #include "viewer/web_client.hpp"
 #include "viewer/web_page.hpp"
 
@@ -174,6 +175,7 @@ WebServer::WebServer(const WebAddress& address, ViewAccess access, ViewBoard& bo
   callbacks.log_access = &WebCallbacks::keep_quiet;
   {
     const SigpipeGuard guard;
+    have_large_thread_stacks();
     context_->context = mg_start(&callbacks, this, const_cast<const char**>(options.data()));
   }
   if (context_->context == nullptr) refuse_address(address);
