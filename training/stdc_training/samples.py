@@ -16,7 +16,9 @@ from .views import person_view, scene_view, warp, whole_view
 
 # Shares of the kinds of samples; rooms (all but photos) are over half of what the network sees.
 SHARES = {"photo": 0.44, "composed": 0.38, "empty": 0.18}
-SHARES_WITH_RENDERED = {"photo": 0.42, "composed": 0.34, "empty": 0.17, "render": 0.07}
+SHARES_WITH_RENDERED = {"photo": 0.38, "composed": 0.32, "empty": 0.23, "render": 0.07}
+# Of the pictures without people, how many are photos of other places than rooms, with animals and all.
+ELSEWHERE, ELSEWHERE_SHARE = "elsewhere", 0.4
 # Photos by kind. The street photos are many but all alike, so they count less than their number.
 PHOTO_SHARES = {"ccp_masked": 0.25, "ccp_teacher": 0.15, "lspet_teacher": 0.28,
                 "voc_teacher": 0.2, "human291_masked": 0.12}
@@ -84,7 +86,7 @@ class Samples(torch.utils.data.Dataset):
         if entry["kind"] == people.EMPTY:
             self._add_scene(source_of(entry), self._packed, i)
         elif entry["box"] is None:
-            self._add_scene("elsewhere", self._packed, i)
+            self._add_scene(ELSEWHERE, self._packed, i)
         elif entry["kind"] in CUTOUT_SHARES:
             self._add_cutout(self._packed, i, entry)
 
@@ -137,13 +139,14 @@ class Samples(torch.utils.data.Dataset):
             return person_view(rng, entry, self._size, self._heights)
         return scene_view(rng, entry, self._size)
 
-    def _room(self, rng):
-        scene = str(rng.choice(list(self._scenes)))  # each scene alike, however many its frames
+    def _room(self, rng, scene=None):
+        scene = scene or str(rng.choice(list(self._scenes)))  # each alike, however many its frames
         packed, i = self._scenes[scene][rng.integers(len(self._scenes[scene]))]
         return warp(packed[i], scene_view(rng, packed.index[i], self._size), self._size)
 
     def _empty(self, rng):
-        return *self._room(rng), 1
+        elsewhere = ELSEWHERE in self._scenes and rng.random() < ELSEWHERE_SHARE
+        return *self._room(rng, ELSEWHERE if elsewhere else None), 1
 
     def _composed(self, rng):
         frame, _ = self._room(rng)

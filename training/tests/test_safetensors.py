@@ -47,7 +47,7 @@ class SafetensorsTest(unittest.TestCase):
                 safetensors.read(self.path)
 
     def test_the_programs_files_are_written_the_same(self):
-        for path in (TINY, REPOSITORY / "models/stdc1-person.safetensors",
+        for path in (TINY, REPOSITORY / "models/stdc1-person-wide.safetensors",
                      REPOSITORY / "models/stdc1-person-slim.safetensors"):
             safetensors.write(self.path, *safetensors.read(path))
             self.assertEqual(Path(self.path).read_bytes(), path.read_bytes(), path.name)

@@ -189,7 +189,7 @@ void add_ablation_command(Command program) {
       .capture_default_str();
   command.add_option(
       "--weights", options->columns.weights,
-      "Weights of the network, or slim: smaller ones that ship; default: the full ones that ship");
+      "Weights of the network, or which of those that ship: slim, or wide; default: slim");
   command
       .add_option("--set", options->columns.assignments,
                   "Change one setting in all columns; may be repeated, the last one counts")

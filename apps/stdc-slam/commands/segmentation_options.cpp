@@ -28,7 +28,7 @@ void add_segmentation_options(Command command, SegmentationOptions& options) {
       "the frames' numbers; default: mask/ in the sequence");
   command.add_option(
       "--weights", options.weights,
-      "Weights of the network, or slim: smaller ones that ship; default: the full ones that ship");
+      "Weights of the network, or which of those that ship: slim, or wide; default: slim");
   add_dynamic_option(command, options.dynamic_classes);
   command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
       .type_name("on|off");

@@ -89,7 +89,7 @@ void warn_of_pace(const RunRecord& record, Lines& lines) {
   lines.push_back(
       fmt::format("{:.0f} % of the frames took longer than the {:.1f} ms from one frame to the next (the "
                   "longest {:.0f} ms): in real "
-                  "time poses would come late. Try --set segmentation.pace=asynchronous, or --weights slim.",
+                  "time poses would come late. Try --set segmentation.pace=asynchronous.",
                   100 * share, 1e3 * *period, longest));
 }
 

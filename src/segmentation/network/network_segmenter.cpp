@@ -120,7 +120,7 @@ std::vector<fs::path> places_of_weights(const fs::path& name) {
 
 fs::path find_network_weights(const std::string& variant) {
   const fs::path name =
-      fmt::format("models/stdc1-person{}{}.safetensors", variant.empty() ? "" : "-", variant);
+      fmt::format("models/stdc1-person-{}.safetensors", variant.empty() ? kDefaultWeights : variant);
   const std::vector<fs::path> places = places_of_weights(name);
   std::error_code fault;
   for (const fs::path& place : places) {

@@ -166,9 +166,9 @@ TEST(ThreadStateGuard, SpinningThreadsAreRefused) {
 
 TEST(FindNetworkWeights, LooksInTheNamedFolderFirst) {
   const TestFolder folder;
-  folder.write("stdc1-person.safetensors", std::string("x"));
+  folder.write("stdc1-person-slim.safetensors", std::string("x"));
   setenv("STDC_SLAM_MODELS", folder.path().c_str(), 1);
-  EXPECT_EQ(find_network_weights(), folder / "stdc1-person.safetensors");
+  EXPECT_EQ(find_network_weights(), folder / "stdc1-person-slim.safetensors");
   EXPECT_NE(message_of([] { make_weights_segmenter("", {}); }).find("too short"), std::string::npos);
   EXPECT_NE(message_of([] {
               make_weights_segmenter("tiny", {});
