@@ -40,7 +40,9 @@ void make_samples(const FusedDepth& fused, const Pinhole& pinhole, int min_frame
   samples.infos.resize(width * height + kVector);
   // With nothing all around, so that neighbours need no checks.
   const std::size_t stride = width + 2 * kBorder + kVector;
-  auto& [padded, rays, support] = scratch;
+  std::vector<float>& padded = scratch.padded;
+  std::vector<float>& rays = scratch.rays;
+  std::vector<std::uint8_t>& support = scratch.support;
   padded.assign(stride * (height + 2 * kBorder) + kVector, 0.F);
   rays.assign(width + kVector, 0.F);
   support.assign(width + kVector, 0);
