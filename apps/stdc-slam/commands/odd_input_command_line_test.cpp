@@ -30,7 +30,8 @@ TEST_F(OddInput, ARateReplacesStampsMadeByHand) {
 TEST_F(OddInput, MasksThatBelongToNoImageAreRefused) {
   make_sequence(3);
   folder_.write("masks/5.000000.png", encode_png(cv::Mat(240, 320, CV_8UC1, cv::Scalar(0))));
-  expect_refusal("run s --output o --masks masks", "masks: none of its 1 masks has the name, time or number of an image");
+  expect_refusal("run s --output o --masks masks",
+                 "masks: none of its 1 masks has the name, time or number of an image");
 }
 
 TEST_F(OddInput, AnEmptyMapIsNothingToBeLocatedIn) {
