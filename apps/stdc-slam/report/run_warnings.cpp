@@ -86,11 +86,10 @@ void warn_of_pace(const RunRecord& record, Lines& lines) {
   }
   const double share = static_cast<double>(slow) / std::max(1, tracked);
   if (share <= kMaxShare) return;
-  lines.push_back(
-      fmt::format("{:.0f} % of the frames took longer than the {:.1f} ms from one frame to the next (the "
-                  "longest {:.0f} ms): in real "
-                  "time poses would come late. Try --set segmentation.pace=asynchronous.",
-                  100 * share, 1e3 * *period, longest));
+  lines.push_back(fmt::format(
+      "{:.0f} % of the frames took longer than the {:.1f} ms from one frame to the next (the "
+      "longest {:.0f} ms): in real time poses would come late. Try --set segmentation.pace=asynchronous.",
+      100 * share, 1e3 * *period, longest));
 }
 
 void warn_of_truth(const RunSummary& summary, Lines& lines) {

@@ -22,8 +22,8 @@ class InterruptWatch {
 
  private:
   sigset_t mask_before_{};
-  struct sigaction interrupt_before_ {
-  }, terminate_before_{};
+  struct sigaction interrupt_before_ = {};
+  struct sigaction terminate_before_ = {};
 };
 
 }  // namespace stdc::app

@@ -16,7 +16,6 @@ class EdgeVertices {
   static constexpr int kEdges = 3 * VoxelBlock::kVoxels;
 
   void set(int edge) { words_[edge / 64] |= std::uint64_t{1} << (edge % 64); }
-  bool has(int edge) const { return (words_[edge / 64] >> (edge % 64) & 1U) != 0; }
   void number(std::uint32_t first) {
     first_ = first;
     std::uint16_t count = 0;
