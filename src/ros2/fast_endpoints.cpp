@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
+#include "ros2/network.hpp"
 
 namespace stdc::ros2 {
 namespace {
@@ -19,10 +20,8 @@ namespace {
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
-constexpr const char* kEndpointHint = "check the network and the memory that is left";
-/// Messages that a publisher has to keep while we are busy, and we while our own threads are.
-constexpr int kMaxKept = 16;
-constexpr std::size_t kMaxQueued = 16;
+constexpr int kMaxKept = 16;                      // by a publisher that drops none, while others are busy
+constexpr std::size_t kMaxQueued = 16;            // for a reader that was held up for half a second
 constexpr std::uint32_t kHeartbeat = 50'000'000;  // [ns]
 
 /// Sets what readers and writers share.
@@ -44,16 +43,8 @@ void set_delivery(const Delivery& delivery, Qos& qos) {
   qos.data_sharing().off();
 }
 
-std::string policy_name(dds::QosPolicyId_t policy) {
-  if (policy == dds::RELIABILITY_QOS_POLICY_ID) return "reliability";
-  if (policy == dds::DURABILITY_QOS_POLICY_ID) return "durability";
-  return fmt::format("policy {}", static_cast<int>(policy));
-}
-
-/// Where the newest messages count, they are taken out of the middleware as they come, into a queue of our
-/// own: Fast DDS 2.9 fails an assertion when it drops an old message of a full history while another thread
-/// takes one. Where none may be lost they stay there until they are asked for, which makes their publisher
-/// wait.
+/// Messages are taken out of the middleware as they come, into a queue of our own: Fast DDS 2.9 fails an
+/// assertion when it drops an old message of a full history while another thread takes one.
 class FastSubscription : public Subscription, private dds::DataReaderListener {
  public:
   FastSubscription(dds::Subscriber& subscriber, dds::Topic& topic, const Delivery& delivery,
@@ -76,7 +67,6 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
   }
 
   std::optional<std::vector<std::uint8_t>> take() override {
-    if (keeps_all()) return take_from_middleware();
     const std::lock_guard lock(mutex_);
     if (queue_.empty()) return std::nullopt;
     std::vector<std::uint8_t> bytes = std::move(queue_.front());
@@ -91,8 +81,6 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
   }
 
  private:
-  bool keeps_all() const { return depth_ == 0; }
-
   std::optional<std::vector<std::uint8_t>> take_from_middleware() {
     std::vector<std::uint8_t> bytes;
     dds::SampleInfo info;
@@ -105,9 +93,7 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
   void on_data_available(dds::DataReader* reader) override {
     // The first messages may come before create_datareader() has returned.
     reader_ = reader;
-    while (!keeps_all()) {
-      auto message = take_from_middleware();
-      if (!message) break;
+    while (auto message = take_from_middleware()) {
       const std::lock_guard lock(mutex_);
       queue_.push_back(std::move(*message));
       if (queue_.size() <= depth_ + kMaxQueued) continue;
@@ -134,7 +120,7 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
   std::size_t depth_;
   std::atomic<int> publishers_ = 0, lost_ = 0, overflown_ = 0;
   mutable std::mutex mutex_;
-  std::deque<std::vector<std::uint8_t>> queue_;  ///< bounded, for a reader that was held up for half a second
+  std::deque<std::vector<std::uint8_t>> queue_;  ///< bounded
   std::string incompatibility_;
   std::atomic<dds::DataReader*> reader_ = nullptr;  ///< of the subscriber
 };
@@ -182,6 +168,12 @@ class FastPublication : public Publication, private dds::DataWriterListener {
 };
 
 }  // namespace
+
+std::string policy_name(dds::QosPolicyId_t policy) {
+  if (policy == dds::RELIABILITY_QOS_POLICY_ID) return "reliability";
+  if (policy == dds::DURABILITY_QOS_POLICY_ID) return "durability";
+  return fmt::format("policy {}", static_cast<int>(policy));
+}
 
 std::unique_ptr<Subscription> make_subscription(dds::Subscriber& subscriber, dds::Topic& topic,
                                                 const Delivery& delivery, std::function<void()> on_message) {

@@ -1,6 +1,5 @@
 #include "ros2/node.hpp"
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +14,9 @@
 
 #include "core/error.hpp"
 #include "ros2/fast_endpoints.hpp"
+#include "ros2/network.hpp"
 #include "ros2/raw_type.hpp"
+#include "ros2/reliable_subscription.hpp"
 #include "ros2/topic_names.hpp"
 
 namespace stdc::ros2 {
@@ -24,35 +25,16 @@ namespace {
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
-constexpr const char* kNetworkHint = "check ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and the network";
-
 dds::DomainParticipantQos participant_qos(const NodeOptions& options) {
-  constexpr std::uint32_t kBuffer = 8U << 20U;  // the system may give less (net.core.rmem_max)
-  constexpr std::uint32_t kParticipants =
-      32;  // of one machine and domain that find each other without multicast
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->receiveBufferSize = kBuffer;
-  udp->sendBufferSize = kBuffer;
-  udp->maxInitialPeersRange = kParticipants;
+  const Network network = make_network(options);
   dds::DomainParticipantQos qos;
   qos.name("stdc_slam");
-  if (options.localhost_only) {
-    constexpr std::uint32_t kLocalhost[] = {127, 0, 0, 1};
-    udp->interfaceWhiteList = {"127.0.0.1"};
-    // Where multicast does not pass over loopback, participants are looked for at their usual ports.
-    rtps::Locator_t peer;
-    peer.kind = LOCATOR_KIND_UDPv4;
-    for (int i = 0; i < 4; ++i) peer.address[12 + i] = static_cast<rtps::octet>(kLocalhost[i]);
+  for (const rtps::Locator_t& peer : network.initial_peers) {
     qos.wire_protocol().builtin.initialPeersList.push_back(peer);
-    rtps::Locator_t group = peer;
-    const std::uint32_t multicast[] = {239, 255, 0, 1};
-    for (int i = 0; i < 4; ++i) group.address[12 + i] = static_cast<rtps::octet>(multicast[i]);
-    qos.wire_protocol().builtin.initialPeersList.push_back(group);
   }
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.push_back(udp);
-  const std::string enclave = "enclave=/;";  // as ROS 2's nodes without security say
-  qos.user_data().data_vec({enclave.begin(), enclave.end()});
+  qos.transport().user_transports.push_back(network.transport);
+  qos.user_data().data_vec({network.user_data.begin(), network.user_data.end()});
   return qos;
 }
 
@@ -60,7 +42,7 @@ dds::DomainParticipantQos participant_qos(const NodeOptions& options) {
 
 class Node::Participant : private dds::DomainParticipantListener {
  public:
-  explicit Participant(const NodeOptions& options) {
+  explicit Participant(const NodeOptions& options) : options_(options) {
     dds::Log::ClearConsumers();  // it would print
     participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
         static_cast<std::uint32_t>(options.domain), participant_qos(options), this, dds::StatusMask::none());
@@ -93,6 +75,10 @@ class Node::Participant : private dds::DomainParticipantListener {
     if (made == nullptr) throw Error(name, "cannot be made a topic", kNetworkHint);
     return *made;
   }
+  ReliableParticipant& reliable() {
+    if (!reliable_) reliable_ = std::make_unique<ReliableParticipant>(options_);
+    return *reliable_;
+  }
   dds::Subscriber& subscriber() { return *subscriber_; }
   dds::Publisher& publisher() { return *publisher_; }
 
@@ -117,6 +103,8 @@ class Node::Participant : private dds::DomainParticipantListener {
     if (name) writers_[info.info.guid()] = {*name, ros_type(info.info.typeName().to_string())};
   }
 
+  NodeOptions options_;
+  std::unique_ptr<ReliableParticipant> reliable_;  ///< made when something large is to be received reliably
   mutable std::mutex mutex_;
   std::map<rtps::GUID_t, std::pair<std::string, std::string>> writers_;  ///< topic and type of each
   dds::DomainParticipant* participant_ = nullptr;  ///< of the factory; what follows is of the participant
@@ -130,6 +118,10 @@ Node::~Node() = default;
 
 std::unique_ptr<Subscription> Node::subscribe(const std::string& topic, const std::string& type,
                                               const Delivery& delivery, std::function<void()> on_message) {
+  if (delivery.reliable && (delivery.large || delivery.depth == 0)) {
+    return participant_->reliable().subscribe(dds_topic(topic), dds_type(type), delivery,
+                                              std::move(on_message));
+  }
   return make_subscription(participant_->subscriber(), participant_->topic(topic, type), delivery,
                            std::move(on_message));
 }

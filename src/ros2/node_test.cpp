@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "core/error.hpp"
@@ -38,6 +39,59 @@ TEST(Node, MessagesArriveAsTheBytesThatWereSent) {
   ASSERT_EQ(published.size(), 1U);
   EXPECT_EQ(published[0].name, "/numbers");
   EXPECT_EQ(published[0].type, "std_msgs/msg/UInt32");
+}
+
+std::vector<std::uint8_t> large_message(std::uint8_t value) {
+  std::vector<std::uint8_t> bytes(100'000, value);
+  bytes[0] = 0, bytes[1] = 1, bytes[2] = 0, bytes[3] = 0;  // encapsulation: little-endian CDR
+  return bytes;
+}
+
+/// The values of the large messages that wait.
+std::vector<std::uint8_t> taken_values(Subscription& subscription) {
+  std::vector<std::uint8_t> values;
+  while (const auto message = subscription.take()) values.push_back(message->back());
+  return values;
+}
+
+TEST(Node, APublisherThatKeepsAllWaitsForWhoTakesThem) {
+  Node sender(test_domain()), receiver(test_domain());
+  const Delivery lossless{.reliable = true, .depth = 0, .large = true};
+  const auto subscription = receiver.subscribe("/image", "sensor_msgs/msg/Image", lossless);
+  const auto publication = sender.advertise("/image", "sensor_msgs/msg/Image", lossless);
+  ASSERT_TRUE(eventually([&] { return publication->subscribers() == 1 && subscription->publishers() == 1; }));
+  std::uint8_t sent = 0;
+  while (sent < 100 && publication->publish(large_message(sent))) ++sent;
+  ASSERT_GE(sent, 16);
+  ASSERT_LT(sent, 100) << "nobody had to wait";
+  std::vector<std::uint8_t> received;
+  ASSERT_TRUE(eventually([&] {
+    for (const std::uint8_t value : taken_values(*subscription)) received.push_back(value);
+    return received.size() >= sent;
+  }));
+  for (std::size_t i = 0; i < received.size(); ++i) EXPECT_EQ(received[i], i);
+  EXPECT_EQ(subscription->lost(), 0);
+}
+
+TEST(Node, OfLargeReliableMessagesTheNewestAreKept) {
+  constexpr std::uint8_t kSent = 60;
+  Node sender(test_domain()), receiver(test_domain());
+  const Delivery delivery{.reliable = true, .depth = 2, .large = true};
+  const auto subscription = receiver.subscribe("/image", "sensor_msgs/msg/Image", delivery);
+  const auto publication = sender.advertise("/image", "sensor_msgs/msg/Image", delivery);
+  ASSERT_TRUE(eventually([&] { return publication->subscribers() == 1 && subscription->publishers() == 1; }));
+  for (std::uint8_t i = 1; i <= kSent; ++i) {
+    ASSERT_TRUE(publication->publish(large_message(i)));
+    publication->flush();
+  }
+  std::vector<std::uint8_t> received;
+  ASSERT_TRUE(eventually([&] {
+    for (const std::uint8_t value : taken_values(*subscription)) received.push_back(value);
+    return !received.empty() && received.back() == kSent;
+  }));
+  EXPECT_LE(received.size(), 20U);
+  EXPECT_TRUE(std::is_sorted(received.begin(), received.end()));
+  EXPECT_EQ(subscription->lost() + static_cast<int>(received.size()), int{kSent});
 }
 
 TEST(Node, WhoComesLateGetsWhatIsTransientLocal) {

@@ -35,6 +35,7 @@ std::unique_ptr<StampPairing> make_pairing(const Ros2SourceOptions& options) {
 Delivery image_delivery(Reception reception) {
   Delivery delivery = kSensorData;
   delivery.reliable = reception != Reception::best_effort;
+  delivery.large = true;
   if (reception == Reception::every_frame) delivery.depth = 0;
   return delivery;
 }
