@@ -87,6 +87,9 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
     if (std::sqrt(old.diagonal().head<3>().maxCoeff()) > settings_.tracking.max_position_sigma)
       result.status = TrackingStatus::uncertain;
   }
+  // If what entered the map last outvotes what has been in it for longer, it may be a thing that moves.
+  constexpr double kContested = 0.02;  // [m]
+  if (frame.old_offset > kContested) result.status = TrackingStatus::uncertain;
   // Just found again, the camera may be some centimetres off as long as most matches contradict its pose.
   constexpr double kAgreeing = 0.25;
   settled_ = settled_ || frame.inliers >= kAgreeing * frame.matches;

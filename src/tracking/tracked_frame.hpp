@@ -28,6 +28,8 @@ struct TrackedFrame {
   Matrix6d information = Matrix6d::Zero();  ///< of the pose, see PoseOptimisationResult
   /// The same of the landmarks alone that have been in the map for a while; nothing: all of them have.
   std::optional<Matrix6d> old_information;
+  /// How far the camera is from where those alone have it, if that is more than chance [m].
+  double old_offset = 0;
   std::optional<PosePrior>
       aligned;      ///< pose found by direct alignment; it goes before that of the motion model
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation

@@ -1,5 +1,6 @@
 // The part of Tracker that leaves out groups of matches that move.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tracking/moving_groups.hpp"
@@ -34,6 +35,16 @@ class YoungMatches {
   double now_, last_ = -std::numeric_limits<double>::infinity(), young_ = 0;
 };
 
+/// Distance of two cameras [m] if it is clearly more than the first one's sigma, else 0.
+double clear_distance(const PoseOptimisationResult& result, const Pose& other,
+                      const TrackingSettings& settings) {
+  constexpr double kClearly = 5;  // [sigma]
+  const Matrix6d covariance = TrackedFrame::covariance(result.information, settings);
+  const double sigma = std::sqrt(covariance.diagonal().head<3>().maxCoeff());
+  const double distance = (result.cam_from_world.inverse().translation - other.inverse().translation).norm();
+  return distance > kClearly * sigma ? distance : 0;
+}
+
 }  // namespace
 
 /// Aligns those of the matches that are not among the inliers.
@@ -60,12 +71,14 @@ std::vector<FrameMatch> Tracker::drop_young_groups(TrackedFrame& frame, const Lo
   for (const FrameMatch& match : matches) (young_ones.contains(match) ? young : old).push_back(match);
   if (young.empty()) return inliers;
   frame.old_information = Matrix6d::Zero();
+  frame.old_offset = 0;
   if (static_cast<int>(old.size()) < settings_.min_inliers) return inliers;
   align_refused(local_map, old, inliers, frame);
   const PoseOptimisationResult result =
       estimator_.estimate(make_observations(frame, old), frame.cam_from_world, motion_prior(frame));
   if (!result.usable || result.inliers < settings_.min_inliers) return inliers;
   frame.old_information = result.information;
+  frame.old_offset = clear_distance(result, frame.cam_from_world, settings_);
   if (static_cast<int>(old.size()) < kMinOld || 2 * result.inliers < static_cast<int>(old.size()))
     return inliers;
   TrackedFrame alone = frame;
@@ -80,7 +93,9 @@ std::vector<FrameMatch> Tracker::drop_young_groups(TrackedFrame& frame, const Lo
     if (found[i] == Contradiction::sure) frame.dynamic[young[i].keypoint] = 1;
   }
   frame.cam_from_world = result.cam_from_world;
-  return optimise(frame, std::move(old));
+  inliers = optimise(frame, std::move(old));
+  frame.old_offset = clear_distance(result, frame.cam_from_world, settings_);
+  return inliers;
 }
 
 /// Takes out what moves, and finds the pose again without it.
