@@ -45,7 +45,11 @@ class FolderSource final : public FrameSource {
 
   std::optional<SourceFrame> next() override;
   void rewind() override;
-  std::optional<int> frame_count() const override { return static_cast<int>(contents_.frames.size()); }
+  /// How many frames of a video can be decoded shows only at its end.
+  std::optional<int> frame_count() const override { return video_ ? std::nullopt : expected_frame_count(); }
+  std::optional<int> expected_frame_count() const override {
+    return static_cast<int>(contents_.frames.size());
+  }
   std::optional<std::vector<double>> frame_times() const override;
   std::vector<std::string> frame_names() const override;
   std::optional<RgbdCameras> cameras() const override { return contents_.cameras; }

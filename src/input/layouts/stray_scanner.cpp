@@ -77,14 +77,22 @@ ScannerColour find_scanner_colour(const fs::path& path) {
   return colour;
 }
 
+/// The app records at the rate that the user has chosen [Hz]; 60 where the times are those of no camera.
+double scanner_rate(const std::vector<FolderFrame>& frames) {
+  constexpr double kUsual = 60, kMax = 240;
+  const double seconds = frames.back().timestamp - frames.front().timestamp;
+  const double rate = std::round(static_cast<double>(frames.size() - 1) / seconds);
+  return rate >= 1 && rate <= kMax ? rate : kUsual;
+}
+
 /// The depth camera is the colour camera with fewer pixels: the app's depth is ARKit's, which is registered.
-RgbdCameras scanner_cameras(const fs::path& path, cv::Size size, cv::Size depth_size) {
+RgbdCameras scanner_cameras(const fs::path& path, cv::Size size, cv::Size depth_size, double rate) {
   const std::vector<double> k = read_numbers(path / "camera_matrix.csv", 9);
   RgbdCameras cameras;
   cameras.colour.width = size.width, cameras.colour.height = size.height;
   cameras.colour.fx = k[0], cameras.colour.cx = k[2], cameras.colour.fy = k[4], cameras.colour.cy = k[5];
   cameras.colour.depth_units_per_metre = 1000;
-  cameras.colour.frames_per_second = 60;
+  cameras.colour.frames_per_second = rate;
   cameras.colour.validate((path / "camera_matrix.csv").string());
   cameras.depth = DepthCamera{scaled_camera(cameras.colour, depth_size), {}};
   return cameras;
@@ -165,7 +173,8 @@ std::unique_ptr<FrameSource> open_stray_scanner(const fs::path& path, const Sour
   contents.video = colour.video;
   contents.cameras = own_cameras(path);
   if (!contents.cameras) {
-    contents.cameras = scanner_cameras(path, colour.size, size_of_image(contents.frames.front().depth.path));
+    const cv::Size depth_size = size_of_image(contents.frames.front().depth.path);
+    contents.cameras = scanner_cameras(path, colour.size, depth_size, scanner_rate(contents.frames));
   }
   contents.truth_where = odometry.string();
   contents.read_truth = [rows] { return truth_of(rows); };

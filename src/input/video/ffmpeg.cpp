@@ -32,7 +32,7 @@ std::unique_ptr<ChildProcess> start_ffmpeg(const std::filesystem::path& video,
   }
 }
 
-std::string first_complaint(std::string_view complaints) {
+std::string first_complaint(std::string_view complaints, const std::filesystem::path& video) {
   constexpr std::size_t kMaxLength = 120;
   std::string_view line = complaints.substr(0, complaints.find('\n'));
   // "[h264 @ 0x5581f0] Invalid NAL unit size": who says so differs from run to run.
@@ -41,6 +41,8 @@ std::string first_complaint(std::string_view complaints) {
     if (end == std::string_view::npos) break;
     line.remove_prefix(end + 2);
   }
+  const std::string name = "file:" + video.string() + ": ";
+  if (line.starts_with(name)) line.remove_prefix(name.size());
   std::string text(line.substr(0, kMaxLength));
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');

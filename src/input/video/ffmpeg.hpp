@@ -19,8 +19,8 @@ namespace stdc {
 std::unique_ptr<ChildProcess> start_ffmpeg(const std::filesystem::path& video,
                                            const std::vector<std::string>& output);
 
-/// What ffmpeg said first, for a message: a line, without addresses in memory and signs that do not print; ""
-/// if it said nothing.
-std::string first_complaint(std::string_view complaints);
+/// What ffmpeg said first of a video, for a message: a line, without the video's name, addresses in memory
+/// and signs that do not print; "" if it said nothing.
+std::string first_complaint(std::string_view complaints, const std::filesystem::path& video);
 
 }  // namespace stdc

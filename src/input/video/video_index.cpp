@@ -102,7 +102,7 @@ VideoIndex read_video_index(const std::filesystem::path& video) {
   ffmpeg->finish();
   const VideoIndex index = reader.result(video.string());
   if (index.frames > 0 && !index.size.empty()) return index;
-  const std::string complaint = first_complaint(ffmpeg->complaints());
+  const std::string complaint = first_complaint(ffmpeg->complaints(), video);
   throw Error(
       video.string(),
       fmt::format("holds no video that ffmpeg can read{}", complaint.empty() ? "" : " (" + complaint + ")"),

@@ -81,11 +81,13 @@ TEST(VideoIndex, SaysWhatIsNoVideo) {
 }
 
 TEST(FirstComplaint, IsOneLineThatIsTheSameEachTime) {
-  EXPECT_EQ(first_complaint(""), "");
-  EXPECT_EQ(first_complaint("[h264 @ 0x5581f0] Invalid NAL unit size\nmore\n"), "Invalid NAL unit size");
-  EXPECT_EQ(first_complaint("a\tb\x1b[1m\xff"), "a?b?[1m?");
-  EXPECT_EQ(first_complaint("[no end"), "[no end");
-  EXPECT_EQ(first_complaint(std::string(500, 'x')).size(), 120U);
+  EXPECT_EQ(first_complaint("", "v.mp4"), "");
+  EXPECT_EQ(first_complaint("[h264 @ 0x5581f0] Invalid NAL unit size\nmore\n", "v.mp4"),
+            "Invalid NAL unit size");
+  EXPECT_EQ(first_complaint("a\tb\x1b[1m\xff", "v.mp4"), "a?b?[1m?");
+  EXPECT_EQ(first_complaint("file:v.mp4: is wrong", "v.mp4"), "is wrong");
+  EXPECT_EQ(first_complaint("[no end", "v.mp4"), "[no end");
+  EXPECT_EQ(first_complaint(std::string(500, 'x'), "v.mp4").size(), 120U);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ class VideoReader {
 
  private:
   void start();
+  bool start_another_way();
   bool read_into(cv::Mat& image);
   void end(bool whole);
 
@@ -42,6 +43,7 @@ class VideoReader {
   int at_ = 0;  ///< the number of the next frame
   bool ended_ = false;
   std::string problem_;
+  bool is_new_ffmpeg_ = false;  ///< one that has forgotten the old name of an option
 };
 
 }  // namespace stdc

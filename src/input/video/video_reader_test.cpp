@@ -108,6 +108,32 @@ TEST_F(VideoReaderTest, LeavesNoProcessBehind) {
   EXPECT_TRUE(waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0 && errno == ECHILD);
 }
 
+/// A program in front of PATH while this lives.
+class PathBefore {
+ public:
+  explicit PathBefore(const std::string& folder) : path_(std::getenv("PATH")) {
+    setenv("PATH", (folder + ":" + path_).c_str(), 1);
+  }
+  ~PathBefore() { setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  std::string path_;
+};
+
+/// Later versions of ffmpeg know -fps_mode alone.
+TEST_F(VideoReaderTest, TakesAnFfmpegWithoutTheOldOption) {
+  test::write_video(folder_ / "v.mkv", test::video_frames(4), test::kLossless);
+  VideoReader video = open("v.mkv");
+  const auto script = folder_.write("later/ffmpeg",
+                                    "#!/bin/sh\nfor word; do if [ \"$word\" = -vsync ]; then\n"
+                                    "echo \"Unrecognized option 'vsync'.\" >&2; exit 1; fi; done\n"
+                                    "PATH=" +
+                                        std::string(std::getenv("PATH")) + "\nffmpeg \"$@\"\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const PathBefore later((folder_ / "later").string());
+  for (const int i : {0, 3, 1}) EXPECT_TRUE(same(video.frame(i).value(), video_frame(i))) << i;
+}
+
 TEST_F(VideoReaderTest, SaysThatThereIsNoFfmpeg) {
   test::write_video(folder_ / "v.mkv", test::video_frames(2), test::kLossless);
   VideoReader video = open("v.mkv");
