@@ -6,15 +6,12 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "input/video/video_index.hpp"
 
 namespace stdc {
 
 std::unique_ptr<ChildProcess> start_ffmpeg(const std::filesystem::path& video,
                                            const std::vector<std::string>& output) {
   std::vector<std::string> words{"ffmpeg", "-nostdin", "-loglevel", "error"};
-  // A frame that is lost would give all later ones a wrong number: the first fault ends the video.
-  words.emplace_back("-xerror");
   words.insert(words.end(), {"-protocol_whitelist", "file", "-format_whitelist", "mov,matroska,avi"});
   words.insert(words.end(), {"-threads", "1", "-max_pixels", std::to_string(kMaxVideoPixels)});
   words.insert(words.end(), {"-noautorotate", "-i", "file:" + video.string(), "-map", "0:V:0"});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +12,9 @@
 namespace stdc {
 
 // Videos are decoded by the program ffmpeg, found in PATH when it is needed: no library of a codec is linked.
+
+/// More pixels than any camera's images have (8K has 33 million): not decoded.
+constexpr std::int64_t kMaxVideoPixels = std::int64_t{1} << 26;
 
 /// Starts ffmpeg on a video. Files of other kinds that only end like a video (lists of further files, of the
 /// network too) are not followed, and a name is never taken for an option.

@@ -8,9 +8,6 @@
 
 namespace stdc {
 
-/// More pixels than any camera's video has (8K has 33 million): not decoded.
-constexpr std::int64_t kMaxVideoPixels = std::int64_t{1} << 26;
-
 /// What a video holds, as far as it shows without decoding it.
 struct VideoIndex {
   cv::Size size;  ///< as stored: not turned by what the file says about rotation

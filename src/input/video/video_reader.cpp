@@ -17,6 +17,8 @@ void VideoReader::start() {
   // Each frame once, whatever its time. The option got its new name in ffmpeg 5.1.
   std::vector<std::string> output = is_new_ffmpeg_ ? std::vector<std::string>{"-fps_mode", "passthrough"}
                                                    : std::vector<std::string>{"-vsync", "0"};
+  // A frame that is lost would give all later ones a wrong number: the first fault ends the video.
+  output.emplace_back("-xerror");
   // Images with a header each: a stream of bare pixels would not show that the video changes its size.
   output.insert(output.end(), {"-sws_flags", "bilinear+bitexact+accurate_rnd+full_chroma_int", "-pix_fmt",
                                "rgb24", "-c:v", "ppm", "-threads", "1", "-f", "image2pipe", "pipe:1"});
