@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "core/error.hpp"
@@ -100,7 +101,7 @@ VideoIndex read_video_index(const std::filesystem::path& video) {
     }
   }
   ffmpeg->finish();
-  const VideoIndex index = reader.result(video.string());
+  VideoIndex index = reader.result(video.string());
   if (index.frames > 0 && !index.size.empty()) return index;
   const std::string complaint = first_complaint(ffmpeg->complaints(), video);
   throw Error(
