@@ -76,6 +76,7 @@ inline cv::Mat video_frame(int i, cv::Size size = {320, 256}) {
 
 inline std::vector<cv::Mat> video_frames(int count, cv::Size size = {320, 256}) {
   std::vector<cv::Mat> frames;
+  frames.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) frames.push_back(video_frame(i, size));
   return frames;
 }
