@@ -47,6 +47,8 @@ stdc_deb(dev libstdc-slam-dev "RGB-D visual SLAM in dynamic scenes (development 
 stdc_deb(program stdc-slam "RGB-D visual SLAM in dynamic scenes (command line)" ""
   "Runs on recordings and live cameras, scores trajectories and looks into maps.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stdc-slam-models")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")  # started for inputs with a video, if it is there
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "ffmpeg")
 stdc_deb(models stdc-slam-models "RGB-D visual SLAM in dynamic scenes (network weights)" ""
   "Weights of the segmentation network. They were trained on data for research"
   "only: see their README.")

@@ -11,6 +11,7 @@
 #include "input/layouts/layouts.hpp"
 #include "input/layouts/sens_file.hpp"
 #include "input/layouts/tum_source.hpp"
+#include "input/layouts/video_folder.hpp"
 #include "input/live/openni_source.hpp"
 #include "input/recordings/recording_source.hpp"
 
@@ -32,11 +33,13 @@ constexpr std::array kKinds{
                true},
     SourceKind{"scannet", "folder of ScanNet: color, depth, pose, intrinsic", is_scannet, open_scannet, true},
     SourceKind{"sens", "file of ScanNet (.sens)", is_sens_file, open_sens_file, true},
-    SourceKind{"stray-scanner", "folder of Stray Scanner: odometry.csv, depth, frames in rgb",
-               is_stray_scanner, open_stray_scanner},
+    SourceKind{"stray-scanner", "folder of Stray Scanner: odometry.csv, depth, rgb.mp4", is_stray_scanner,
+               open_stray_scanner},
+    SourceKind{"record3d", "folder of Record3D, exported as EXR + JPG: metadata.json, rgb, depth",
+               is_record3d, open_record3d, true},
     SourceKind{"euroc", "folder in EuRoC layout: cam0/data.csv, with depth0", is_euroc, open_euroc, true},
-    SourceKind{"open3d", "folder of Open3D or Redwood: color (image, rgb), depth", is_open3d, open_open3d,
-               true},
+    SourceKind{"open3d", "folder of Open3D or Redwood: color (image, rgb; or one video), depth", is_open3d,
+               open_open3d, true},
     SourceKind{"mcap", "MCAP recording of ROS 2 or ROS 1, or a folder of rosbag2 with such files",
                is_mcap_recording, open_recording_source, false, true},
     SourceKind{"db3", "SQLite recording of ROS 2, or a folder of rosbag2 with such files", is_db3_recording,
@@ -67,45 +70,26 @@ const SourceKind& kind_named(const std::string& name) {
   return *kind;
 }
 
-std::string ending_of(const fs::path& path) {
-  return lower_case(path.extension().string());
-}
-
-bool is_video(const fs::path& path) {
-  constexpr std::array kEndings{".mp4", ".mkv", ".mov", ".avi", ".webm"};
-  std::error_code ignored;
-  return std::find(kEndings.begin(), kEndings.end(), ending_of(path)) != kEndings.end() &&
-         fs::is_regular_file(path, ignored);
-}
-
-/// The path itself or, of a folder that also has depth images, what is in it.
-std::optional<fs::path> video_at(const fs::path& path) {
-  if (is_video(path)) return path;
-  std::error_code ignored;
-  if (!fs::is_directory(path / "depth", ignored)) return std::nullopt;
-  for (fs::directory_iterator entry(path, ignored), end; entry != end; entry.increment(ignored)) {
-    if (is_video(entry->path())) return entry->path();
-    if (ignored) break;
-  }
-  return std::nullopt;
-}
+std::string ending_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 /// What is known and cannot be read gets an answer of its own.
 void refuse_known(const fs::path& path) {
   std::error_code ignored;
   if ((ending_of(path) == ".r3d" && fs::is_regular_file(path, ignored)) ||
       fs::exists(path / "rgbd" / "0.depth", ignored)) {
-    throw Error(
-        path.string(),
-        "is a recording of Record3D, whose depth is packed by LZFSE, which cannot be read here",
-        "export it in the app as 'EXR + JPG', name the folders color and depth, and put a camera.yaml "
-        "beside them (docs/inputs.md)");
+    throw Error(path.string(),
+                "is a recording of Record3D, whose depth is packed by LZFSE, which cannot be read here",
+                "export it in the app as 'EXR + JPG' and give that folder");
   }
-  if (const auto video = video_at(path)) {
-    throw Error(video->string(), "is a video, which is not decoded here",
-                fmt::format("unpack it beside the depth images: mkdir color && ffmpeg -i {} -vsync 0 "
-                            "-start_number 0 color/%06d.jpg (docs/inputs.md)",
-                            video->filename().string()));
+  if (is_video(path)) {
+    throw Error(path.string(), "is a video without depth images",
+                "give the folder that holds it and a folder depth with them (docs/inputs.md)");
+  }
+  if (const auto videos = videos_in(path); videos.size() > 1 && fs::is_directory(path / "depth", ignored)) {
+    throw Error(path.string(),
+                fmt::format("holds several videos: {} and {}", videos[0].filename().string(),
+                            videos[1].filename().string()),
+                "leave only that of the colour images there");
   }
 }
 

@@ -83,10 +83,11 @@ TEST_F(InfoCommandLine, RefusesWhatIsNoInput) {
   folder_.write("unzipped/metadata", std::string("{}"));
   expect_refusal("info unzipped", "unzipped: is a recording of Record3D");
   folder_.write("rgb.mp4", std::string("ftyp"));
-  expect_refusal("info rgb.mp4", "rgb.mp4: is a video, which is not decoded here");
+  expect_refusal("info rgb.mp4", "rgb.mp4: is a video without depth images; give the folder that holds it");
   folder_.write("phone/video.MOV", std::string("ftyp"));
+  folder_.write("phone/other.mp4", std::string("ftyp"));
   folder_.write("phone/depth/000000.png", std::string("?"));
-  expect_refusal("info phone", "phone/video.MOV: is a video, which is not decoded here; unpack it");
+  expect_refusal("info phone", "phone: holds several videos: other.mp4 and video.MOV; leave only");
   expect_refusal("info none", "none: there is no such folder");
   make_sequence(1);
   expect_refusal("info s --input-kind elephant",

@@ -115,7 +115,9 @@ inline std::string make_exr(int width, int height, const std::string& channel,
   }
   for (int y = 0; y < height; ++y) {
     append_number(text, y), append_number(text, static_cast<std::uint32_t>(row_bytes));
-    text.append(reinterpret_cast<const char*>(&pixels[static_cast<std::size_t>(y * width)]), row_bytes);
+    text.append(
+        reinterpret_cast<const char*>(&pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)]),
+        row_bytes);
   }
   return text;
 }

@@ -37,14 +37,22 @@ std::unique_ptr<FrameSource> open_scannet(const std::filesystem::path& path, con
 
 /// color/ or image/ or rgb/, depth/ (millimetres), an intrinsic JSON, trajectory.log: what Open3D's
 /// reconstruction system reads, and the Redwood scans (Choi et al., 2016). Any two folders of colour and
-/// depth images will do.
+/// depth images will do; the colour images may be one video beside depth/.
 bool is_open3d(const std::filesystem::path& path);
 std::unique_ptr<FrameSource> open_open3d(const std::filesystem::path& path, const SourceOptions& options);
 
-/// rgb/ (frames of rgb.mp4), depth/, confidence/, camera_matrix.csv, odometry.csv, as the app Stray Scanner.
+/// rgb.mp4 (or its frames in rgb/), depth/, confidence/, camera_matrix.csv, odometry.csv, as the app Stray
+/// Scanner writes. Its poses have the usual axes (https://github.com/strayrobots/scanner/issues/11).
 bool is_stray_scanner(const std::filesystem::path& path);
 std::unique_ptr<FrameSource> open_stray_scanner(const std::filesystem::path& path,
                                                 const SourceOptions& options);
+
+/// metadata.json, rgb/N.jpg, depth/N.exr in metres, also below EXR_RGBD/, as the app Record3D exports by "EXR
+/// + JPG". By what its author says (https://github.com/marek-simonik/record3d/issues/27, 36, 64, 75, 108): K,
+/// column by column, is that of the colour images; depth is registered to them, of fewer pixels; the poses
+/// are ARKit's, world from camera with the axes of OpenGL; frameTimestamps are seconds after the first frame.
+bool is_record3d(const std::filesystem::path& path);
+std::unique_ptr<FrameSource> open_record3d(const std::filesystem::path& path, const SourceOptions& options);
 
 /// cam0/data.csv with nanoseconds and cam0/sensor.yaml, as EuRoC (Burri et al., IJRR 2016), with a folder of
 /// depth images beside it.

@@ -7,6 +7,7 @@
 #include "input/layouts/image_folder.hpp"
 #include "input/layouts/layouts.hpp"
 #include "input/layouts/pose_files.hpp"
+#include "input/layouts/video_folder.hpp"
 
 namespace stdc {
 namespace {
@@ -64,6 +65,10 @@ Camera prime_sense() {
   return camera;
 }
 
+cv::Size colour_size(const FolderContents& contents) {
+  return contents.video ? contents.video->size : size_of_image(contents.frames.front().colour.path);
+}
+
 void find_cameras(const fs::path& path, FolderContents& contents) {
   contents.cameras = own_cameras(path);
   if (contents.cameras) return;
@@ -75,7 +80,7 @@ void find_cameras(const fs::path& path, FolderContents& contents) {
     return;
   }
   const bool redwood = is_file(path / "trajectory.log");
-  if (!redwood || size_of_image(contents.frames.front().colour.path) != cv::Size(640, 480)) return;
+  if (!redwood || colour_size(contents) != cv::Size(640, 480)) return;
   contents.cameras = RgbdCameras{prime_sense(), {}};
   contents.notes.push_back(contents.where +
                            ": has no intrinsic file: the PrimeSense of Open3D is assumed (focal length 525, "
@@ -102,21 +107,34 @@ void add_truth(const fs::path& path, FolderContents& contents) {
 
 }  // namespace
 
-bool is_open3d(const fs::path& path) { return colour_folder(path) && depth_folder(path); }
+bool is_open3d(const fs::path& path) {
+  return depth_folder(path) && (colour_folder(path) || videos_in(path).size() == 1);
+}
 
 std::unique_ptr<FrameSource> open_open3d(const fs::path& path, const SourceOptions& options) {
   const auto colour_path = colour_folder(path), depth_path = depth_folder(path);
-  if (!colour_path || !depth_path) {
+  const std::vector<fs::path> videos = videos_in(path);
+  if (!depth_path || (!colour_path && videos.size() != 1)) {
     throw Error(path.string(), "has no folders of colour and depth images",
-                "name them color (or image, rgb) and depth");
+                "name them color (or image, rgb; or one video) and depth");
   }
   FolderContents contents;
   contents.kind = "open3d";
   contents.where = path.string();
-  const auto colour = list_colour_images(*colour_path), depth = list_depth_images(*depth_path);
-  pair_images(colour, depth, rate_of(options, 30), contents);
-  contents.streams = {{colour_path->filename().string(), "colour images", static_cast<int>(colour.size())},
-                      {depth_path->filename().string(), "depth images", static_cast<int>(depth.size())}};
+  const auto depth = list_depth_images(*depth_path);
+  int count = 0;
+  if (colour_path) {
+    const auto colour = list_colour_images(*colour_path);
+    pair_images(colour, depth, rate_of(options, 30), contents);
+    count = static_cast<int>(colour.size());
+  } else {
+    const VideoIndex index = read_video_index(videos.front());
+    pair_video(videos.front(), index, depth, options.rate, contents);
+    count = index.frames;
+  }
+  contents.streams = {
+      {(colour_path ? *colour_path : videos.front()).filename().string(), "colour images", count},
+      {depth_path->filename().string(), "depth images", static_cast<int>(depth.size())}};
   find_cameras(path, contents);
   add_truth(path, contents);
   return std::make_unique<FolderSource>(std::move(contents));
