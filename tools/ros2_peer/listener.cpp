@@ -138,8 +138,10 @@ std::int64_t Listener::last_stamp() const {
 
 bool Listener::connected() const {
   dds_subscription_matched_status_t status;
-  return dds_get_subscription_matched_status(odometry_, &status) == DDS_RETCODE_OK &&
-         status.current_count > 0;
+  if (dds_get_subscription_matched_status(odometry_, &status) != DDS_RETCODE_OK || status.current_count == 0)
+    return false;
+  const std::lock_guard lock(mutex_);
+  return !diagnostics_lines_.empty();
 }
 
 std::string Listener::odometry() const {

@@ -24,7 +24,8 @@ class Listener {
   int odometry_count() const;
   /// Stamp of the last one [ns].
   std::int64_t last_stamp() const;
-  /// Whether somebody publishes odometry.
+  /// Whether somebody publishes odometry and knows this listener: odometry that is sent before is lost. That
+  /// diagnostics come, once a second, shows it, for they were subscribed to later.
   bool connected() const;
   /// "stamp x y z qx qy qz qw c00 c11 ... c55 frame child" a line.
   std::string odometry() const;
