@@ -6,20 +6,16 @@ Takes the averaged weights, calibrates the ranges for int8 on training samples a
 
 import argparse
 import json
+from pathlib import Path
 
 import torch
 
 from . import calibrate, safetensors, weights
+from .licence import PERMISSIVE, licence_of
 from .network import TRAINING_ONLY, StdcSeg
 from .samples import Samples
 from .widths import Widths
 
-LICENCE = (
-    "Weights for research use only: trained on Clothing Co-Parsing (repository Apache-2.0, "
-    "photos of others), Leeds Sports Pose Extended (research; Flickr photos), PASCAL VOC 2012 "
-    "(Flickr terms), Human-Segmentation-Dataset (no terms stated), 7-Scenes (non-commercial), "
-    "HoloLens office and corridor (MIT). See models/README.md."
-)
 CALIBRATION_IMAGES = 64
 
 
@@ -37,9 +33,31 @@ def from_checkpoint(path):
     return network.eval(), state
 
 
-def calibration_batches(folder, size, batch=8):
-    """Normalised training samples at the size of inference."""
-    samples = Samples(folder, size, CALIBRATION_IMAGES, seed=99)
+def sources_of(used):
+    """Names of all that a training with these options saw; None: everything that is packed."""
+    sources = used.get("sources")
+    if sources is None:
+        return None
+    return [*sources, "rendered"] if used.get("rendered") else sources
+
+
+def taught_by_all(used):
+    """Whether a teacher, or the weights that the training began with, may have seen every source."""
+    if used.get("teacher"):
+        return True
+    begun_with = used.get("start_from")
+    if not begun_with:
+        return False
+    if not Path(begun_with).exists():
+        return True  # nobody can tell any more
+    licence = safetensors.read(begun_with)[1].get("licence", "")
+    return not licence.startswith(PERMISSIVE)
+
+
+def calibration_batches(folder, size, used, batch=8):
+    """Normalised training samples at the size of inference, of what the training saw."""
+    samples = Samples(folder, size, CALIBRATION_IMAGES, seed=99, sources=used.get("sources"),
+                      rendered=used.get("rendered") if used.get("sources") else None)
     for begin in range(0, CALIBRATION_IMAGES, batch):
         pixels = [samples[i][0] for i in range(begin, begin + batch)]
         yield weights.normalised(torch.stack(pixels))
@@ -71,12 +89,14 @@ def main():
         for parameter in network.parameters():  # calibrate what will be run
             if parameter.dim() == 4:
                 parameter.data = parameter.data.half().float()
-    ranges = calibrate.activation_ranges(network, calibration_batches(options.data, options.size))
     used = state["options"]
+    ranges = calibrate.activation_ranges(network,
+                                         calibration_batches(options.data, options.size, used))
     trained = f"{state['images']} images seen, last at {used['width']}x{used['height']}"
-    entries = weights.metadata(network, options.size, LICENCE, ranges, options.classes,
-                               options.dynamic, version="1",
-                               trained=trained, scores=options.scores)
+    entries = weights.metadata(network, options.size,
+                               licence_of(sources_of(used), taught_by_all(used)), ranges,
+                               options.classes, options.dynamic, version="1", trained=trained,
+                               scores=options.scores)
     weights.save(options.output, network, entries, half=not options.float32)
     count = sum(t.size for t in safetensors.read(options.output)[0].values())
     print(json.dumps({"file": options.output, "parameters": count, "trained": trained}))
