@@ -51,7 +51,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")  # started for inputs with a
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "ffmpeg")
 stdc_deb(models stdc-slam-models "RGB-D visual SLAM in dynamic scenes (network weights)" ""
   "Weights of the segmentation network. They were trained on data for research"
-  "only: see their README.")
+  "only, but for those called permissive: see their README.")
 set(CPACK_DEBIAN_MODELS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_MODELS_PACKAGE_SHLIBDEPS OFF)
 if(STDC_BUILD_PYTHON)

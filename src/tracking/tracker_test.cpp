@@ -184,6 +184,29 @@ TEST_F(TrackerTest, OutliersAreNotedAndNotObserved) {
   EXPECT_GT(refused, 5);
 }
 
+TEST_F(TrackerTest, OlderLandmarksAreFollowedOrSaidToPutTheCameraElsewhere) {
+  // Every fifth point has been in the map for seconds, the others entered it last and have moved since, not
+  // so far that the older ones are no longer found.
+  for (const double step : {0.0, 0.025, 0.03, 0.035}) {
+    begin();
+    tracker->set_wary(true);
+    local.reference_views[0].timestamp = -5;
+    local.reference_views[1].timestamp = 0;
+    for (LocalLandmark& landmark : local.landmarks)
+      landmark.view = test::point_of(mapped, landmark.id) % 5 == 0 ? 0 : 1;
+    test::Scene moved = mapped.scene;
+    for (std::size_t p = 0; p < moved.points.size(); ++p)
+      moved.points[p].position.x() += p % 5 == 0 ? 0 : step;
+    TrackedFrame frame = new_frame(moved.look(truth(2)), 2);
+    ASSERT_TRUE(tracker->track(frame, local).tracked);
+    if (step == 0) {
+      EXPECT_EQ(frame.old_offset, 0);
+    }
+    const double error = test::centre_error(frame.cam_from_world, truth(2));
+    EXPECT_TRUE(error < 0.01 || frame.old_offset > 0.02) << step << ": " << error << ", " << frame.old_offset;
+  }
+}
+
 TEST_F(TrackerTest, CountsAreGivenToTheMapOnce) {
   begin();
   TrackedFrame frame = new_frame(look(truth(2), 2), 2);

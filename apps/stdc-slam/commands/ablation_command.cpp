@@ -187,8 +187,9 @@ void add_ablation_command(Command program) {
                   "Where the columns with S have their masks from: network, or masks (mask/ in the sequence)")
       .one_of({"network", "masks"})
       .capture_default_str();
-  command.add_option("--weights", options->columns.weights,
-                     "Weights of the network, or which of those that ship: slim, or wide; default: slim");
+  command.add_option(
+      "--weights", options->columns.weights,
+      "Weights of the network, or which of those that ship: slim, wide, or permissive; default: slim");
   command
       .add_option("--set", options->columns.assignments,
                   "Change one setting in all columns; may be repeated, the last one counts")

@@ -188,7 +188,7 @@ void add_segment_command(Command program) {
   command.add_option("--output,-o", options->output, "Folder for the results; made if need be").required();
   command.add_option("--weights", options->weights,
                      "Weights of the network (.safetensors), an ONNX model, or which of the weights that "
-                     "ship: slim, or wide; default: slim");
+                     "ship: slim, wide, or permissive; default: slim");
   const CommandOption int8 = command.add_flag(
       "--int8", options->int8, "Compute in 8 bits (default if the weights are calibrated for it)");
   command.add_flag("--fp32", options->fp32, "Compute in 32-bit floating point").excludes(int8);

@@ -26,8 +26,9 @@ void add_segmentation_options(Command command, SegmentationOptions& options) {
       "--masks", options.masks,
       "Folder of mask images, above 127 = dynamic, named like the colour images, by their times or by "
       "the frames' numbers; default: mask/ in the sequence");
-  command.add_option("--weights", options.weights,
-                     "Weights of the network, or which of those that ship: slim, or wide; default: slim");
+  command.add_option(
+      "--weights", options.weights,
+      "Weights of the network, or which of those that ship: slim, wide, or permissive; default: slim");
   add_dynamic_option(command, options.dynamic_classes);
   command.add_option("--refinement", options.refinement, "Complete masks by depth (SRM): on or off")
       .type_name("on|off");
