@@ -12,7 +12,7 @@ namespace stdc::ros2 {
 /// How messages of a topic are to be delivered: the part of ROS 2's quality of service that is used here.
 struct Delivery {
   bool reliable = true;          ///< lost messages are sent again; false: best effort
-  bool transient_local = false;  ///< who comes later gets the last messages too (/tf_static)
+  bool transient_local = false;  ///< who comes later gets the last messages too, if it asks (/tf_static)
   /// How many messages wait at most; the oldest goes. 0: all are kept, and the publisher waits.
   int depth = 10;
   bool large = false;  ///< messages of more than some kilobytes, sent by a thread of their own

@@ -131,6 +131,10 @@ class FastPublication : public Publication, private dds::DataWriterListener {
       : publisher_(publisher) {
     dds::DataWriterQos qos = publisher.get_default_datawriter_qos();
     set_delivery(delivery, qos);
+    // Where a reader leaves, Fast DDS 2.9 takes what all others have out of a volatile writer's history, and
+    // may wait for its own sending thread, which waits for it: publishing would stand still for ever. Of
+    // other writers' nothing is taken out then, and volatile readers get no old messages from them either.
+    if (delivery.depth > 0) qos.durability().kind = dds::TRANSIENT_LOCAL_DURABILITY_QOS;
     qos.publish_mode().kind = delivery.large ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
     // What is lost must not hold up odometry for the three seconds of Fast DDS's default.
     qos.reliable_writer_qos().times.heartbeatPeriod = {0, kHeartbeat};

@@ -85,8 +85,9 @@ class Ros2SourceTest : public ::testing::Test {
   }
 
   Node node_{test_domain()};
-  TestCamera camera_;
   std::unique_ptr<Ros2Source> source_;
+  TestCamera
+      camera_;  ///< goes first: Fast DDS 2.9 may stand still where a reader leaves a writer that keeps all
 };
 
 TEST_F(Ros2SourceTest, GivesAllFramesInOrderWithTheCameraOfTheInfo) {
