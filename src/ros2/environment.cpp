@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/text_file.hpp"
-#include "ros2/node.hpp"
+#include "ros2/node_options.hpp"
 
 namespace stdc::ros2 {
 

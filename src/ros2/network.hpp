@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ros2/node.hpp"
+#include "ros2/node_options.hpp"
 
 namespace stdc::ros2 {
 

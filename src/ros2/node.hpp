@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ros2/endpoints.hpp"
+#include "ros2/node_options.hpp"
 
 namespace stdc::ros2 {
 
@@ -15,15 +16,6 @@ struct PublishedTopic {
   std::string type;  ///< "sensor_msgs/msg/Image"
   int publishers = 0;
 };
-
-/// Which part of the network a node joins.
-struct NodeOptions {
-  int domain = 0;               ///< ROS_DOMAIN_ID, 0 to 232
-  bool localhost_only = false;  ///< ROS_LOCALHOST_ONLY
-};
-/// By the environment variables ROS_DOMAIN_ID and ROS_LOCALHOST_ONLY. Throws Error for values that ROS 2 does
-/// not know.
-NodeOptions options_from_environment();
 
 /// A participant of a ROS 2 system, by DDS alone: names and types are those that ROS 2 gives its topics on
 /// the wire (rt/NAME, PACKAGE::msg::dds_::MESSAGE_; source: ROS 2 design, 'Topic and Service name mapping to

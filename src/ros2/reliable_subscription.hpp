@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ros2/endpoints.hpp"
-#include "ros2/node.hpp"
+#include "ros2/node_options.hpp"
 
 namespace stdc::ros2 {
 
