@@ -44,13 +44,15 @@ py::array_t<T, py::array::c_style | py::array::forcecast> packed(const py::array
 
 constexpr int kAsTheyAre = -1;
 
-/// The values, of `type`, as an image in memory of its own; converted on the way, by a code of cv::cvtColor.
+/// The values, of `type`, as an image, converted by a code of cv::cvtColor. It has the array's own memory
+/// where nothing is to be changed: what is called with it keeps no image that it was not given
+/// (RgbdImage::may_be_kept).
 template <typename T>
-cv::Mat copy_of(const py::array& array, int type, int code = kAsTheyAre) {
+cv::Mat image_of(const py::array& array, int type, int code = kAsTheyAre) {
   const auto values = packed<T>(array);
   const cv::Mat shared(static_cast<int>(array.shape(0)), static_cast<int>(array.shape(1)), type,
                        const_cast<T*>(values.data()));
-  if (code == kAsTheyAre) return shared.clone();
+  if (code == kAsTheyAre) return values.ptr() == array.ptr() ? shared : shared.clone();
   // By bands that are too small for OpenCV to share with other threads, for which it would have to wait.
   constexpr int kMaxBand = 1 << 16;
   const int rows = std::max(1, kMaxBand / shared.cols - 1);
@@ -86,14 +88,14 @@ py::array colour_array(const py::handle& object, const std::string& order, const
 
 cv::Mat colour_image(const py::handle& object, const std::string& order, const std::string& where) {
   const py::array array = colour_array(object, order, where);
-  if (array.ndim() == 2) return copy_of<std::uint8_t>(array, CV_8UC1);
-  return copy_of<std::uint8_t>(array, CV_8UC3, order == "rgb" ? cv::COLOR_RGB2BGR : kAsTheyAre);
+  if (array.ndim() == 2) return image_of<std::uint8_t>(array, CV_8UC1);
+  return image_of<std::uint8_t>(array, CV_8UC3, order == "rgb" ? cv::COLOR_RGB2BGR : kAsTheyAre);
 }
 
 cv::Mat grey_image(const py::handle& object, const std::string& order, const std::string& where) {
   const py::array array = colour_array(object, order, where);
-  if (array.ndim() == 2) return copy_of<std::uint8_t>(array, CV_8UC1);
-  return copy_of<std::uint8_t>(array, CV_8UC3, order == "rgb" ? cv::COLOR_RGB2GRAY : cv::COLOR_BGR2GRAY);
+  if (array.ndim() == 2) return image_of<std::uint8_t>(array, CV_8UC1);
+  return image_of<std::uint8_t>(array, CV_8UC3, order == "rgb" ? cv::COLOR_RGB2GRAY : cv::COLOR_BGR2GRAY);
 }
 
 cv::Mat depth_image(const py::handle& object, const std::string& where) {
@@ -105,7 +107,7 @@ cv::Mat depth_image(const py::handle& object, const std::string& where) {
   const bool whole = is_kind(array, 'u', 2), real = is_kind(array, 'f', 4) || is_kind(array, 'f', 8);
   if (array.ndim() != 2 || !(whole || real)) refuse(array, where, kHint);
   check_size(array, where, kHint);
-  return whole ? copy_of<std::uint16_t>(array, CV_16UC1) : copy_of<float>(array, CV_32FC1);
+  return whole ? image_of<std::uint16_t>(array, CV_16UC1) : image_of<float>(array, CV_32FC1);
 }
 
 cv::Mat mask_image(const py::handle& object, const std::string& where) {
@@ -114,7 +116,7 @@ cv::Mat mask_image(const py::handle& object, const std::string& where) {
   const py::array array = array_in(object, where, kHint);
   if (array.ndim() != 2 || !(is_kind(array, 'u', 1) || is_kind(array, 'b', 1))) refuse(array, where, kHint);
   check_size(array, where, kHint);
-  return copy_of<std::uint8_t>(array, CV_8UC1);
+  return image_of<std::uint8_t>(array, CV_8UC1);
 }
 
 py::object array_of(const cv::Mat& image) {

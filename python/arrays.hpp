@@ -15,15 +15,16 @@ namespace stdc::python {
 
 namespace py = pybind11;
 
-/// Copies a colour image: uint8, H x W (grey) or H x W x 3. Any strides and byte order. Throws Error naming
+/// A colour image: uint8, H x W (grey) or H x W x 3. Any strides and byte order. Throws Error naming
 /// `where`.
 /// @param order  "rgb" or "bgr": of the array; the image is BGR
+/// This and the following share the array's memory where nothing has to be converted: the image must not outlive it.
 cv::Mat colour_image(const py::handle& array, const std::string& order, const std::string& where);
 /// Its brightness, as the tracker would make it of the colour image: one pass less over the pixels.
 cv::Mat grey_image(const py::handle& array, const std::string& order, const std::string& where);
-/// Copies a depth image: uint16 in units of the camera, or float32 or float64 in metres; H x W. None: empty.
+/// A depth image: uint16 in units of the camera, or float32 or float64 in metres; H x W. None: empty.
 cv::Mat depth_image(const py::handle& array, const std::string& where);
-/// Copies a mask: bool or uint8, H x W; not 0 = dynamic. None: empty.
+/// A mask: bool or uint8, H x W; not 0 = dynamic. None: empty.
 cv::Mat mask_image(const py::handle& array, const std::string& where);
 
 /// A copy as H x W or H x W x 3 array; BGR becomes RGB. None for an empty image.

@@ -79,6 +79,23 @@ class Tracking(unittest.TestCase):
         ):
             self.assertEqual(run(change), expected)
 
+    def test_arrays_may_be_used_again_after_each_frame(self):
+        def run(overwrite, grey, **settings):
+            slam = stdc_slam.Slam(camera(), {**OFF, **settings})
+            for i in range(12):
+                time, colour, depth = wall(i)
+                colour = np.ascontiguousarray(colour[..., 0]) if grey else colour
+                slam.track(time, colour, depth)
+                if overwrite:
+                    colour[:], depth[:] = 77, 0
+            slam.finish()
+            mesh = slam.mesh(0.02).vertices.tobytes() if settings.get("dense.active") else b""
+            return str(slam.trajectory()), mesh
+
+        for grey in (False, True):
+            for settings in ({}, {"motion.method": "map"}, {"dense.active": True}):
+                self.assertEqual(run(True, grey, **settings), run(False, grey, **settings), settings)
+
     def test_float_depth_with_nan_and_none(self):
         for kind in (np.float32, np.float64):
             slam = stdc_slam.Slam(camera(), OFF)
