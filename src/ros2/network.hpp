@@ -1,8 +1,8 @@
 #pragma once
 
+#include <fastdds/rtps/common/Locator.h>
 #include <fastdds/rtps/transport/TransportDescriptorInterface.h>
 
-#include <fastdds/rtps/common/LocatorList.hpp>
 #include <memory>
 #include <string>
 #include <vector>
