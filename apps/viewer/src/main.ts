@@ -171,9 +171,9 @@ const connection = new Connection({
       }
       case Topic.image: {
         const image = protocol.decodeImage(bytes);
-        void picture.show(image).then(() => {
-          element("picture-frame").textContent = `frame ${image.frame}`;
-          element("far").textContent = `${image.far.toFixed(0)} m`;
+        void picture.show(image).then(() => {  // a later one may have been ready before it
+          element("picture-frame").textContent = `frame ${picture.frame ?? image.frame}`;
+          element("far").textContent = `${picture.far.toFixed(0)} m`;
         });
         element("no-picture").hidden = true;
         break;
