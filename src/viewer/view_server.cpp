@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "viewer/keyframe_images.hpp"
@@ -57,7 +58,10 @@ class ViewServer::Impl {
     const bool has_image = image != nullptr && !image->colour.empty();
     if (result.is_keyframe && has_image)
       painter_.give_keyframe(result.frame, {image->colour.clone(), in_colour});
-    if (web_.wanted() == 0) return;
+    if (web_.wanted() == 0) {
+      skipped_.reset();
+      return;
+    }
     if (has_image) show_image(*image, result.frame, slam, in_colour, false);
     show_map(slam, false);
     show_mesh(slam);
@@ -89,6 +93,8 @@ class ViewServer::Impl {
 
   void finish(const Slam& slam) {
     finished_ = true;
+    if (skipped_ && (web_.wanted() & kWantImage) != 0)
+      painter_.give(*std::exchange(skipped_, {}), web_.wanted());
     if (web_.clients() > 0) {
       show_map(slam, true);
       if ((web_.wanted() & kWantMesh) != 0) mesh_.give(slam.dense_so_far());
@@ -116,15 +122,19 @@ class ViewServer::Impl {
   void show_image(const RgbdImage& image, int frame, const Slam& slam,
                   const std::function<cv::Mat()>& in_colour, bool now) {
     const std::uint32_t wanted = web_.wanted();
+    skipped_.reset();
     if ((wanted & kWantImage) == 0) return;
-    if (!now && (Clock::now() < next_image_ || !painter_.free_for_image())) return;
-    next_image_ = Clock::now() + kImageInterval;
     ViewImage view;
     view.frame = frame;
-    view.colour = {image.colour.clone(), in_colour};  // the caller may have other uses for its buffers
-    if ((wanted & kWantDepth) != 0) view.depth = image.depth.clone();
     view.depth_units_per_metre = units_;
     view.found = slam.last_frame();
+    view.colour = {image.lasting(image.colour), in_colour};  // the caller may have other uses for its buffers
+    if ((wanted & kWantDepth) != 0) view.depth = image.lasting(image.depth);
+    if (!now && (Clock::now() < next_image_ || !painter_.free_for_image())) {
+      skipped_ = std::move(view);
+      return;
+    }
+    next_image_ = Clock::now() + kImageInterval;
     painter_.give(std::move(view), wanted);
   }
 
@@ -149,6 +159,7 @@ class ViewServer::Impl {
   bool can_pause_;
   bool finished_ = false;
   Clock::time_point next_image_{}, next_map_{};
+  std::optional<ViewImage> skipped_;  ///< the latest image if pages have not been given it
   PauseGate gate_;
   KeyframeImages keyframes_;
   ViewBoard board_;

@@ -56,7 +56,7 @@ class ViewServer {
             const std::function<bool()>& give_up = {}, const std::function<cv::Mat()>& in_colour = {});
   /// Waits for a page to look, for a run that is to be seen from its first frame.
   void wait_for_page(const std::function<bool()>& give_up) const;
-  /// Shows the final state, after Slam::finish().
+  /// Shows the final state, after Slam::finish(), and the last image if that is still to be shown.
   /// @param loops  that finish() has closed
   void finish(const Slam& slam, const std::vector<LoopReport>& loops = {});
 

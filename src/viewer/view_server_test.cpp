@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "slam/test_sequence.hpp"
+#include "viewer/test_message.hpp"
 #include "viewer/test_web.hpp"
 #include "viewer/view_topic.hpp"
 
@@ -58,6 +59,13 @@ class TestPage {
     }
     return (seen_ & wanted) == wanted;
   }
+  /// Whether the image of a frame came last, within a minute.
+  bool shows_image_of(int frame) const {
+    for (int i = 0; i < 6000 && frame_of_image_ != frame; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return frame_of_image_ == frame;
+  }
 
  private:
   /// Takes whole messages off the front.
@@ -69,13 +77,18 @@ class TestPage {
       bytes.erase(0, end + 4);
     }
     while (const auto payload = test::take_frame(bytes)) {
-      if (!payload->empty()) seen_ |= 1U << static_cast<unsigned>(payload->front());
+      if (payload->empty()) continue;
+      const bool begins_image = payload->front() == static_cast<char>(ViewTopic::image) &&
+                                test::number_at<std::uint32_t>(*payload, 12) == 0;
+      if (begins_image) frame_of_image_ = test::number_at<int>(*payload, kPieceHeader);
+      seen_ |= 1U << static_cast<unsigned>(payload->front());
     }
   }
 
   test::Line line_;
   bool upgraded_ = false;
   std::atomic<unsigned> seen_ = 0;  ///< bit by ViewTopic
+  std::atomic<int> frame_of_image_ = -1;
   std::thread thread_;
 };
 
@@ -112,6 +125,29 @@ TEST(ViewServer, ResultsAreTheSameWithPagesAndWithout) {
     view.reset();
   }
   EXPECT_TRUE(test::same_bytes(slam.trajectory(), run_alone(sequence)));
+}
+
+TEST(ViewServer, TheLastImageIsShownThoughItCameTooSoon) {
+  const TestSequence& sequence = TestSequence::of_a_desk();
+  Slam slam(sequence.camera, settings_with_dense());
+  ViewServer view({{"127.0.0.1", 0}}, {.name = "test", .camera = sequence.camera});
+  const TestPage page(view.port());
+  view.wait_for_page({});
+  constexpr int kCount = 4;
+  std::vector<TrackingResult> results;
+  for (int i = 0; i < kCount; ++i) {
+    results.push_back(slam.track(sequence.frames[static_cast<std::size_t>(i)].image));
+  }
+  RgbdImage reused;
+  for (int i = 0; i < kCount; ++i) {  // much faster than images are shown
+    const RgbdImage& image = sequence.frames[static_cast<std::size_t>(i)].image;
+    image.colour.copyTo(reused.colour);
+    image.depth.copyTo(reused.depth);
+    view.show(&reused, results[static_cast<std::size_t>(i)], slam);
+  }
+  reused.colour.setTo(0);
+  view.finish(slam, slam.finish());
+  EXPECT_TRUE(page.shows_image_of(kCount - 1));
 }
 
 TEST(ViewServer, APageHoldsTheRunAndStepsThroughIt) {

@@ -26,12 +26,14 @@ void WebClient::run() {
   give_way();
   while (!stop_) {
     const std::uint64_t seen = board_.changes();
+    sending_ = true;  // before the feed thinks that the page has it
     if (const auto piece = feed_.next_piece()) {
       if (line_.send(*piece)) continue;
       dead_ = true;
       line_.done();
       return;
     }
+    sending_ = false;
     line_.done();
     board_.wait(seen, kIdle);
   }

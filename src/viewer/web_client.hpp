@@ -26,6 +26,8 @@ class WebClient {
   const ViewFeed& feed() const { return feed_; }
   /// Says goodbye when what it is sending is sent, and sends no more. Returns at once.
   void end();
+  /// The line has taken all that there is, now.
+  bool up_to_date() const { return !sending_ && feed_.up_to_date(); }
   /// Nothing can be sent any more.
   bool dead() const { return dead_; }
 
@@ -35,7 +37,7 @@ class WebClient {
   ViewBoard& board_;
   Line line_;
   ViewFeed feed_;
-  std::atomic<bool> stop_ = false, goodbye_ = false, dead_ = false;
+  std::atomic<bool> stop_ = false, goodbye_ = false, dead_ = false, sending_ = false;
   std::thread thread_;
 };
 

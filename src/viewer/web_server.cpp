@@ -256,7 +256,7 @@ bool WebServer::wait_until_up_to_date(std::chrono::milliseconds max) const {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, max, [this] {
     return std::all_of(open_.begin(), open_.end(),
-                       [](const auto& client) { return client->dead() || client->feed().up_to_date(); });
+                       [](const auto& client) { return client->dead() || client->up_to_date(); });
   });
 }
 

@@ -1,14 +1,5 @@
 import { Mesh } from "./protocol";
 
-// Whether WebGL is done by the CPU: then there is less of everything while the picture moves.
-export function drawsInSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl");
-  const info = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = info ? String(gl!.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
-}
-
 // Triangles of a coarser mesh over the same vertices: all vertices of a cell, one of 2^bits along each side of the mesh's
 // box, become one of them (Rossignac and Borrel, 'Multi-resolution 3D approximations for rendering complex scenes', 1993).
 function clustered(mesh: Mesh, bits: number): Uint32Array {

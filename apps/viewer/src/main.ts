@@ -1,6 +1,7 @@
 import { currentTheme } from "./colours";
 import { Connection } from "./connection";
 import { Curves } from "./curves";
+import { measure, turning } from "./measuring";
 import { Model } from "./model";
 import { Picture } from "./picture";
 import { drawPlan } from "./plan";
@@ -110,6 +111,16 @@ function drawEvents(events: { frame: number; text: string }[]) {
 
 // ---- what is drawn anew at the next picture
 
+let drawnScale = "";
+function drawScale(bar: { metres: number; pixels: number }) {
+  const width = `${bar.pixels.toFixed(0)}px`;
+  const text = bar.metres >= 1 ? `${bar.metres} m` : `${(100 * bar.metres).toFixed(0)} cm`;
+  if (width + text === drawnScale) return;  // setting it again would have it painted again
+  drawnScale = width + text;
+  element("scale").style.width = width;
+  element("scale").textContent = text;
+}
+
 const dirty = { words: true, curves: true, path: true };
 
 function draw() {
@@ -122,11 +133,7 @@ function draw() {
     scene?.setPose(posed && (!model.map || posed.map === model.map.map) ? posed.pose : null);
     if (!scene) drawPlan(element<HTMLCanvasElement>("plan"), model, currentTheme());
   }
-  if (scene) {
-    const bar = scene.scaleBar();
-    element("scale").style.width = `${bar.pixels.toFixed(0)}px`;
-    element("scale").textContent = bar.metres >= 1 ? `${bar.metres} m` : `${(100 * bar.metres).toFixed(0)} cm`;
-  }
+  if (scene) drawScale(scene.scaleBar());
   Object.assign(dirty, { words: false, curves: false, path: false });
 }
 
@@ -164,9 +171,9 @@ const connection = new Connection({
       }
       case Topic.image: {
         const image = protocol.decodeImage(bytes);
-        void picture.show(image).then(() => {
-          element("picture-frame").textContent = `frame ${image.frame}`;
-          element("far").textContent = `${image.far.toFixed(0)} m`;
+        void picture.show(image).then(() => {  // a later one may have been ready before it
+          element("picture-frame").textContent = `frame ${picture.frame ?? image.frame}`;
+          element("far").textContent = `${picture.far.toFixed(0)} m`;
         });
         element("no-picture").hidden = true;
         break;
@@ -285,4 +292,6 @@ listen();
 updateWanted();
 draw();
 // For the browser test and for measuring.
-Object.assign(window, { stdcViewer: { model, picture, get scene() { return scene; }, decodeMesh: protocol.decodeMesh } });
+Object.assign(window, {
+  stdcViewer: { model, picture, get scene() { return scene; }, decodeMesh: protocol.decodeMesh, measure, turning },
+});
