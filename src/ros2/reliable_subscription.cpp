@@ -27,7 +27,6 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr std::uint32_t kMaxMessage = 256U << 20U;  // [bytes]; no image of a camera is larger
-
 constexpr std::size_t kMaxUntaken = 16;  // while our own threads are busy
 
 /// Messages that have come whole and in order, until they are taken.
