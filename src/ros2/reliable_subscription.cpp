@@ -12,8 +12,10 @@
 #include <fastrtps/qos/ReaderQos.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <deque>
+#include <iterator>
 #include <mutex>
 
 #include "core/error.hpp"
@@ -27,7 +29,7 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr std::uint32_t kMaxMessage = 256U << 20U;  // [bytes]; no image of a camera is larger
-constexpr std::size_t kMaxUntaken = 16;  // while our own threads are busy
+constexpr std::size_t kMaxUntaken = 16;             // while our own threads are busy
 
 /// Messages that have come whole and in order, until they are taken.
 class MessageQueue {
@@ -139,9 +141,14 @@ class ReliableSubscription : public Subscription, private rtps::ReaderListener {
                          const rtps::SequenceNumber_t& first, const rtps::SequenceNumber_t& last,
                          bool& notify_each) override {
     notify_each = false;
-    for (rtps::SequenceNumber_t number = first; number <= last; ++number) {
-      rtps::CacheChange_t* change = nullptr;
-      if (!history_.get_change(number, writer, &change)) continue;  // the publisher no longer had it
+    // By what is there, not by the numbers: a publisher may leave out as many as it likes.
+    std::vector<rtps::CacheChange_t*> changes;
+    std::copy_if(history_.changesBegin(), history_.changesEnd(), std::back_inserter(changes),
+                 [&](rtps::CacheChange_t* change) {
+                   return change->is_fully_assembled() && change->writerGUID == writer &&
+                          first <= change->sequenceNumber && change->sequenceNumber <= last;
+                 });
+    for (rtps::CacheChange_t* change : changes) {
       if (change->kind == rtps::ALIVE) {
         const auto& payload = change->serializedPayload;
         lost_ += queue_.push({payload.data, payload.data + payload.length});
