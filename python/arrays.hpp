@@ -18,7 +18,8 @@ namespace py = pybind11;
 /// A colour image: uint8, H x W (grey) or H x W x 3. Any strides and byte order. Throws Error naming
 /// `where`.
 /// @param order  "rgb" or "bgr": of the array; the image is BGR
-/// This and the following share the array's memory where nothing has to be converted: the image must not outlive it.
+/// This and the following share the array's memory where nothing has to be converted: the image must not
+/// outlive it.
 cv::Mat colour_image(const py::handle& array, const std::string& order, const std::string& where);
 /// Its brightness, as the tracker would make it of the colour image: one pass less over the pixels.
 cv::Mat grey_image(const py::handle& array, const std::string& order, const std::string& where);
