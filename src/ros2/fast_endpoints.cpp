@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <deque>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -12,6 +11,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
+#include "ros2/message_queue.hpp"
 #include "ros2/network.hpp"
 
 namespace stdc::ros2 {
@@ -21,7 +21,6 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr int kMaxKept = 16;                      // by a publisher that drops none, while others are busy
-constexpr std::size_t kMaxQueued = 16;            // for a reader that was held up for half a second
 constexpr std::uint32_t kHeartbeat = 50'000'000;  // [ns]
 
 /// Sets what readers and writers share.
@@ -49,9 +48,7 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
  public:
   FastSubscription(dds::Subscriber& subscriber, dds::Topic& topic, const Delivery& delivery,
                    std::function<void()> on_message)
-      : subscriber_(subscriber),
-        on_message_(std::move(on_message)),
-        depth_(static_cast<std::size_t>(delivery.depth)) {
+      : subscriber_(subscriber), on_message_(std::move(on_message)), queue_(delivery.depth) {
     dds::DataReaderQos qos = subscriber.get_default_datareader_qos();
     set_delivery(delivery, qos);
     qos.reliable_reader_qos().times.heartbeatResponseDelay = {0,
@@ -66,13 +63,7 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
     subscriber_.delete_datareader(reader);
   }
 
-  std::optional<std::vector<std::uint8_t>> take() override {
-    const std::lock_guard lock(mutex_);
-    if (queue_.empty()) return std::nullopt;
-    std::vector<std::uint8_t> bytes = std::move(queue_.front());
-    queue_.pop_front();
-    return bytes;
-  }
+  std::optional<std::vector<std::uint8_t>> take() override { return queue_.pop(); }
   int publishers() const override { return publishers_; }
   int lost() const override { return lost_ + overflown_; }
   std::string incompatibility() const override {
@@ -94,11 +85,7 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
     // The first messages may come before create_datareader() has returned.
     reader_ = reader;
     while (auto message = take_from_middleware()) {
-      const std::lock_guard lock(mutex_);
-      queue_.push_back(std::move(*message));
-      if (queue_.size() <= depth_ + kMaxQueued) continue;
-      queue_.pop_front();
-      ++overflown_;
+      overflown_ += queue_.push(std::move(*message));
     }
     if (on_message_) on_message_();
   }
@@ -117,10 +104,9 @@ class FastSubscription : public Subscription, private dds::DataReaderListener {
 
   dds::Subscriber& subscriber_;
   std::function<void()> on_message_;
-  std::size_t depth_;
+  MessageQueue queue_;
   std::atomic<int> publishers_ = 0, lost_ = 0, overflown_ = 0;
   mutable std::mutex mutex_;
-  std::deque<std::vector<std::uint8_t>> queue_;  ///< bounded
   std::string incompatibility_;
   std::atomic<dds::DataReader*> reader_ = nullptr;  ///< of the subscriber
 };

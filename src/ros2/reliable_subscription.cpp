@@ -14,12 +14,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <deque>
 #include <iterator>
 #include <mutex>
 
 #include "core/error.hpp"
 #include "ros2/fast_endpoints.hpp"
+#include "ros2/message_queue.hpp"
 #include "ros2/network.hpp"
 
 namespace stdc::ros2 {
@@ -29,47 +29,10 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
 constexpr std::uint32_t kMaxMessage = 256U << 20U;  // [bytes]; no image of a camera is larger
-constexpr std::size_t kMaxUntaken = 16;             // while our own threads are busy
-
-/// Messages that have come whole and in order, until they are taken.
-class MessageQueue {
- public:
-  /// @param depth  of the subscription
-  explicit MessageQueue(int depth)
-      : throttled_(depth == 0),
-        capacity_(throttled_ ? kMaxUntaken : static_cast<std::size_t>(depth) + kMaxUntaken) {}
-
-  /// Whether the publisher has to wait.
-  bool is_full() const {
-    const std::lock_guard lock(mutex_);
-    return throttled_ && messages_.size() >= capacity_;
-  }
-  /// Tells how many old ones had to go.
-  int push(std::vector<std::uint8_t> message) {
-    const std::lock_guard lock(mutex_);
-    messages_.push_back(std::move(message));
-    if (throttled_ || messages_.size() <= capacity_) return 0;
-    messages_.pop_front();
-    return 1;
-  }
-  std::optional<std::vector<std::uint8_t>> pop() {
-    const std::lock_guard lock(mutex_);
-    if (messages_.empty()) return std::nullopt;
-    std::vector<std::uint8_t> message = std::move(messages_.front());
-    messages_.pop_front();
-    return message;
-  }
-
- private:
-  bool throttled_;
-  std::size_t capacity_;
-  mutable std::mutex mutex_;
-  std::deque<std::vector<std::uint8_t>> messages_;
-};
 
 rtps::HistoryAttributes history_attributes() {
   constexpr std::uint32_t kFirstCapacity = 512;  // of a message's memory, which grows as needed
-  return {rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE, kFirstCapacity, 1, kMaxUntaken};
+  return {rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE, kFirstCapacity, 1, MessageQueue::kMaxUntaken};
 }
 
 /// Holds messages of which parts are missing, or earlier ones are. Accepts no more while the queue is full.
@@ -83,7 +46,7 @@ class ThrottledHistory : public rtps::ReaderHistory {
     will_never_be_accepted = size > kMaxMessage;
     if (will_never_be_accepted || queue_.is_full()) return false;
     // Room is kept for those that come before it, else they and it would wait for each other.
-    return missing_before == 0 || m_changes.size() + missing_before < kMaxUntaken;
+    return missing_before == 0 || m_changes.size() + missing_before < MessageQueue::kMaxUntaken;
   }
 
  private:
