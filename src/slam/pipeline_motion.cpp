@@ -62,7 +62,7 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   const bool starts_map = last_keyframe_frame_ == frame.index;
   if (starts_map) return;
   const Matrix6d covariance = frame.covariance(settings_.tracking);
-  const double sigma = std::sqrt(covariance.diagonal().head<3>().maxCoeff());
+  const double sigma = position_sigma(covariance);
   const bool few = frame.inliers < settings_.tracking.min_inliers;  // temporary points kept it in track
   unsupported_frames_ = few ? unsupported_frames_ + 1 : 0;
   if (unsupported_frames_ > kMaxUnsupported) {
@@ -84,7 +84,7 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   if (frame.old_information && frame.timestamp - map_began_ < kYoung &&
       result.motion->dynamic_share > kMuch) {
     const Matrix6d old = TrackedFrame::covariance(*frame.old_information, settings_.tracking);
-    if (std::sqrt(old.diagonal().head<3>().maxCoeff()) > settings_.tracking.max_position_sigma)
+    if (position_sigma(old) > settings_.tracking.max_position_sigma)
       result.status = TrackingStatus::uncertain;
   }
   // If what entered the map last outvotes what has been in it for longer, it may be a thing that moves.

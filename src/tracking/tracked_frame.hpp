@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -61,5 +62,10 @@ struct TrackedFrame {
     if (motion.readout_time != 0) measure_again(camera, motion, *features, measurements);
   }
 };
+
+/// The largest sigma of the position in a covariance of TrackedFrame [m].
+inline double position_sigma(const Matrix6d& covariance) {
+  return std::sqrt(covariance.diagonal().head<3>().maxCoeff());
+}
 
 }  // namespace stdc

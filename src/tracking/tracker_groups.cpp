@@ -1,6 +1,5 @@
 // The part of Tracker that leaves out groups of matches that move.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "tracking/moving_groups.hpp"
@@ -39,8 +38,7 @@ class YoungMatches {
 double clear_distance(const PoseOptimisationResult& result, const Pose& other,
                       const TrackingSettings& settings) {
   constexpr double kClearly = 5;  // [sigma]
-  const Matrix6d covariance = TrackedFrame::covariance(result.information, settings);
-  const double sigma = std::sqrt(covariance.diagonal().head<3>().maxCoeff());
+  const double sigma = position_sigma(TrackedFrame::covariance(result.information, settings));
   const double distance = (result.cam_from_world.inverse().translation - other.inverse().translation).norm();
   return distance > kClearly * sigma ? distance : 0;
 }
