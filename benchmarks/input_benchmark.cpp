@@ -3,7 +3,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "input/depth_registration.hpp"
+#include "input/registration/depth_registration.hpp"
 
 namespace stdc {
 namespace {

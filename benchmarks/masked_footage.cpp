@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
 
-#include "core/image_codec.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/images/image_codec.hpp"
 #include "input/layouts/tum_sequence.hpp"
 #include "simulation/sequence/rendered_sequence.hpp"
 

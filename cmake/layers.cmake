@@ -43,7 +43,7 @@ function(stdc_leave_out_rendered_tests list_name)
   set(kept "")
   set(left_out "")
   foreach(file IN LISTS ${list_name})
-    file(STRINGS ${file} includes REGEX "#include \"(simulation/|slam/test_sequence|slam/test_walk)")
+    file(STRINGS ${file} includes REGEX "#include \"(simulation/|slam/system_tests/test_sequence|slam/system_tests/test_walk)")
     if(includes)
       get_filename_component(name ${file} NAME)
       list(APPEND left_out ${name})
@@ -58,27 +58,24 @@ function(stdc_leave_out_rendered_tests list_name)
   set(${list_name} ${kept} PARENT_SCOPE)
 endfunction()
 
-# stdc_unite(TARGET MAX file...): files of the target that lie in the same folder are compiled together, at most MAX of
-# them: what their headers and templates cost is paid once, which halves a whole build. A change to one compiles its
-# neighbours too, so who works on the code turns STDC_UNITY off. Names in their anonymous namespaces must differ. Files
-# that Highway compiles once for each instruction set stay alone, and so do those with options of their own.
+# stdc_unite(TARGET MAX file...): files of the target are compiled together in the order of their names, which keeps those
+# of a folder together, at most MAX of them: what their headers and templates cost is paid once, which halves a whole
+# build. A change to one compiles its neighbours too, so who works on the code turns STDC_UNITY off. Names in their
+# anonymous namespaces must differ. Files that Highway compiles once for each instruction set stay alone, and so do those
+# with options of their own.
 function(stdc_unite target max)
   if(NOT STDC_UNITY)
     return()
   endif()
+  set(count 0)
   foreach(file IN LISTS ARGN)
     file(STRINGS ${file} alone REGEX "hwy/foreach_target|UNITY: alone")
     if(alone)
       continue()
     endif()
-    get_filename_component(folder ${file} DIRECTORY)
-    string(MD5 key "${folder}")
-    get_filename_component(folder ${folder} NAME)
-    math(EXPR batch "${count_${key}}+0")
-    math(EXPR group "${batch} / ${max}")
-    math(EXPR count_${key} "${batch} + 1")
-    string(SUBSTRING ${key} 0 4 key)
-    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${folder}_${key}_${group})
+    math(EXPR group "${count} / ${max}")
+    math(EXPR count "${count} + 1")
+    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${target}_${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "input/recordings/bag_recording.hpp"
+#include "input/recordings/containers/bag_recording.hpp"
 #include "recording_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

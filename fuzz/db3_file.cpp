@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "input/recordings/db3_recording.hpp"
-#include "input/recordings/unpacked_messages.hpp"
+#include "input/recordings/containers/db3_recording.hpp"
+#include "input/recordings/containers/unpacked_messages.hpp"
 #include "recording_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

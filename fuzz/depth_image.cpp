@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "png_builder.hpp"
 
 namespace {

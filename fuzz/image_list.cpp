@@ -1,5 +1,5 @@
 // Image lists, and pairing the times of two of them: the input is split at the first 'Z'.
-#include "core/image_list.hpp"
+#include "core/files/image_list.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Map files; also with their check sums put right, so that what lies behind them is reached.
-#include "atlas/map_file.hpp"
+#include "atlas/storage/map_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "atlas/record_stream.hpp"
+#include "atlas/storage/record_stream.hpp"
 #include "core/error.hpp"
 
 namespace {

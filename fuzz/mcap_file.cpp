@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "input/recordings/mcap_recording.hpp"
+#include "input/recordings/containers/mcap_recording.hpp"
 #include "recording_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
-#include "input/recordings/camera_of_info.hpp"
-#include "input/recordings/message_image.hpp"
+#include "input/recordings/messages/camera_of_info.hpp"
+#include "input/recordings/messages/message_image.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // metadata.yaml of rosbag2.
-#include "input/recordings/rosbag2_metadata.hpp"
+#include "input/recordings/containers/rosbag2_metadata.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,12 +1,11 @@
 // .sens files of ScanNet.
-#include "input/layouts/sens_index.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "input/layouts/scannet/sens_index.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));

@@ -1,6 +1,6 @@
 // What a page sends to the live view: messages, and the headers and the query of who wants to see it. The
 // input is split at the first three line feeds: message, Host, Origin, query.
-#include "viewer/view_request.hpp"
+#include "viewer/server/view_request.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/view_access.hpp"
+#include "viewer/server/view_access.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view rest(reinterpret_cast<const char*>(data), size);

@@ -9,12 +9,12 @@
 #include <tuple>
 #include <utility>
 
-#include "atlas/map_file.hpp"
-#include "core/image_codec.hpp"
+#include "atlas/storage/map_file.hpp"
+#include "core/images/image_codec.hpp"
 #include "core/random.hpp"
 #include "input/depth_formats/test_depth_files.hpp"
-#include "input/layouts/test_sens.hpp"
-#include "input/recordings/test_messages.hpp"
+#include "input/layouts/scannet/test_sens.hpp"
+#include "input/recordings/messages/test_messages.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "core/files/whole_file.hpp"
 #include "evaluation/trajectory_error.hpp"
 #include "trajectory.hpp"
 

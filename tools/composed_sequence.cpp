@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/error.hpp"
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "input/camera_file.hpp"
 
 namespace stdc {

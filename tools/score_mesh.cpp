@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/random.hpp"
-#include "core/text_file.hpp"
 #include "evaluation/trajectory_error.hpp"
 #include "input/layouts/tum_sequence.hpp"
 #include "input/trajectory.hpp"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "input/layouts/tum_sequence.hpp"
 #include "segmentation/mask_file_segmenter.hpp"
 #include "segmentation/propagation/mask_propagator.hpp"

@@ -1,5 +1,5 @@
 """pattern_sequence.py FOLDER FRAMES: a tiny sequence in TUM layout whose every pixel follows a formula, for tests that
-compare what they read from recordings of it: src/input/recordings/test_pattern.hpp has the same formula."""
+compare what they read from recordings of it: src/input/recordings/messages/test_pattern.hpp has the same formula."""
 import pathlib
 import sys
 

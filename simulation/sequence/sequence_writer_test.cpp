@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc::simulation {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "atlas/keyframe.hpp"
 #include "atlas/landmark.hpp"
-#include "atlas/record_stream.hpp"
+#include "atlas/storage/record_stream.hpp"
 
 namespace stdc {
 

@@ -7,7 +7,7 @@
 #include "calibration/depth_scale.hpp"
 #include "calibration/scene_recorder.hpp"
 #include "core/error.hpp"
-#include "slam/test_sequence.hpp"
+#include "slam/system_tests/test_sequence.hpp"
 
 namespace stdc {
 namespace {

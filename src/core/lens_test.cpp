@@ -7,7 +7,7 @@
 
 #include "core/camera.hpp"
 #include "core/error.hpp"
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 
 namespace stdc {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc {
 

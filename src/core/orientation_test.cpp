@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/test_exif.hpp"
+#include "core/images/test_exif.hpp"
 
 namespace stdc {
 namespace {

@@ -18,7 +18,7 @@
 namespace stdc {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t level_index(int index) { return static_cast<std::size_t>(index); }
 
 void check_image(const cv::Mat& image, const char* what) {
   constexpr int kMin = 64, kMax = 32767;
@@ -37,7 +37,7 @@ struct FeatureExtractor::Implementation {
   explicit Implementation(const FeatureSettings& s) : settings(s) { settings.validate(); }
 
   Cell area(int level) const {
-    const cv::Size size = pyramid->sizes()[at(level)];
+    const cv::Size size = pyramid->sizes()[level_index(level)];
     return {kBorder, kBorder, size.width - kBorder, size.height - kBorder};
   }
   float scale(int level) const { return static_cast<float>(std::pow(settings.scale_factor, level)); }
@@ -76,11 +76,11 @@ void FeatureExtractor::Implementation::detect(const cv::Mat& grey) {
   corners.resize(at(pyramid->levels()));
   smoothed.resize(at(pyramid->levels()));
   for (int i = 0; i < pyramid->levels(); ++i) {
-    corners[at(i)].clear();
-    if (budgets[at(i)] == 0) continue;
+    corners[level_index(i)].clear();
+    if (budgets[level_index(i)] == 0) continue;
     const ImageView image = pyramid->level(i).view();
-    find_fast_corners(image, kBorder, settings.threshold_low, corners[at(i)]);
-    gaussian_blur(image, smoothed[at(i)]);
+    find_fast_corners(image, kBorder, settings.threshold_low, corners[level_index(i)]);
+    gaussian_blur(image, smoothed[level_index(i)]);
   }
 }
 
@@ -99,11 +99,11 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
   for (int level = 0; level < pyramid->levels(); ++level) {
     const float s = scale(level);
     dynamic.spread(static_cast<int>(std::lround(kMargin * s)));
-    const cv::Size size = pyramid->sizes()[at(level)];
+    const cv::Size size = pyramid->sizes()[level_index(level)];
     nearest.resize(at(std::max(size.width, size.height)));
     for (std::size_t x = 0; x < nearest.size(); ++x)
       nearest[x] = static_cast<int>(std::lround(level_to_image(static_cast<float>(x), s)));
-    std::erase_if(corners[at(level)], [&](const Corner& corner) {
+    std::erase_if(corners[level_index(level)], [&](const Corner& corner) {
       return dynamic.near(nearest[at(corner.x)], nearest[at(corner.y)]);
     });
   }
@@ -111,7 +111,7 @@ void FeatureExtractor::Implementation::reject(const cv::Mat& dynamic_mask) {
 
 int FeatureExtractor::Implementation::select_level(int level, int budget, Features& features) {
   const ImageView image = pyramid->level(level).view();
-  candidates = chooser.choose(corners[at(level)], area(level), budget, settings);
+  candidates = chooser.choose(corners[level_index(level)], area(level), budget, settings);
   if (settings.selection == Selection::improved) {
     for (Candidate& candidate : candidates)
       candidate.response = harris_response(image, candidate.x, candidate.y);
@@ -119,12 +119,12 @@ int FeatureExtractor::Implementation::select_level(int level, int budget, Featur
   const std::vector<int>& winners = quadtree.select(candidates, area(level), budget, settings.selection);
   const float s = scale(level);
   for (const int winner : winners) {
-    const Candidate& c = candidates[at(winner)];
+    const Candidate& c = candidates[level_index(winner)];
     const PatchMoments moments = patch_moments(image, c.x, c.y);
     features.keypoints.push_back({level_to_image(c.x, s), level_to_image(c.y, s), angle_of(moments),
                                   c.response, static_cast<std::uint8_t>(level), c.quality});
     features.descriptors.push_back(
-        brief.describe(smoothed[at(level)].view(), c.x, c.y, direction_of(moments)));
+        brief.describe(smoothed[level_index(level)].view(), c.x, c.y, direction_of(moments)));
   }
   for (const Cell& cell : quadtree.cells()) {
     // Edges lie between pixels: half a pixel before the first one.
@@ -142,8 +142,8 @@ Features FeatureExtractor::Implementation::select() {
   cells.clear();
   int unspent = 0;
   for (int level = 0; level < pyramid->levels(); ++level) {
-    if (budgets[at(level)] == 0) continue;
-    const int budget = budgets[at(level)] + unspent;
+    if (budgets[level_index(level)] == 0) continue;
+    const int budget = budgets[level_index(level)] + unspent;
     unspent = budget - select_level(level, budget, features);
     if (settings.selection == Selection::orb_slam3) unspent = 0;
   }

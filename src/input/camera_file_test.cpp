@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "input/tum_calibration.hpp"
 
 namespace stdc {

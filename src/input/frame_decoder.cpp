@@ -1,6 +1,6 @@
 #include "input/frame_decoder.hpp"
 
-#include "input/depth_registration.hpp"
+#include "input/registration/depth_registration.hpp"
 
 namespace stdc {
 namespace {

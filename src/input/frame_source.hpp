@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "input/ground_truth.hpp"
 #include "input/rgbd_cameras.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "input/pose_row.hpp"
 
 namespace stdc {

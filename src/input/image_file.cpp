@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "core/image_size.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/images/image_size.hpp"
 #include "input/depth_formats/depth_formats.hpp"
 
 namespace stdc {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc {
 

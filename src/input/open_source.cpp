@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/lower_case.hpp"
 #include "input/layouts/layouts.hpp"
-#include "input/layouts/sens_file.hpp"
+#include "input/layouts/scannet/sens_file.hpp"
 #include "input/layouts/tum_source.hpp"
 #include "input/layouts/video_folder.hpp"
 #include "input/live/openni_source.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "input/camera_file.hpp"
 #include "input/frame_decoder.hpp"
 #include "input/test_layouts.hpp"

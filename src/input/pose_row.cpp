@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 
 namespace stdc {
 namespace {

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "core/image_codec.hpp"
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
+#include "core/images/image_codec.hpp"
 #include "input/camera_file.hpp"
 
 namespace stdc::test {

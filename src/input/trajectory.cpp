@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "input/pose_row.hpp"
 
 namespace stdc {

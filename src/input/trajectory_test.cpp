@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "core/files/test_folder.hpp"
 #include "core/random.hpp"
-#include "core/test_folder.hpp"
 
 namespace stdc {
 namespace {

@@ -1,8 +1,8 @@
 #include "motion/make_motion_detector.hpp"
 
-#include "motion/flow_motion.hpp"
+#include "motion/flow/flow_motion.hpp"
 #include "motion/map_motion.hpp"
-#include "motion/multi_view_motion.hpp"
+#include "motion/multi_view/multi_view_motion.hpp"
 
 namespace stdc {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/camera.hpp"
-#include "motion/followed_points.hpp"
+#include "motion/flow/followed_points.hpp"
 #include "motion/motion_belief.hpp"
 #include "motion/motion_detector.hpp"
 #include "motion/static_scene.hpp"

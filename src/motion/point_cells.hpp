@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "motion/depth_grid.hpp"
-#include "motion/followed_points.hpp"
+#include "motion/flow/followed_points.hpp"
 
 namespace stdc {
 

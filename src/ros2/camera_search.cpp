@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "input/recordings/ros_messages.hpp"
+#include "input/recordings/messages/ros_messages.hpp"
 
 namespace stdc::ros2 {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc::ros2 {
 

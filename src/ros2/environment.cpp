@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "ros2/node_options.hpp"
 
 namespace stdc::ros2 {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "input/recordings/ros_messages.hpp"
-#include "input/recordings/stamp.hpp"
+#include "input/recordings/messages/ros_messages.hpp"
+#include "input/recordings/messages/stamp.hpp"
 
 namespace stdc::ros2 {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "input/frame_source.hpp"
 #include "input/live/frame_queue.hpp"
-#include "input/recordings/packed_messages.hpp"
+#include "input/recordings/containers/packed_messages.hpp"
 #include "input/recordings/stamp_pairing.hpp"
 #include "input/recordings/transform_tree.hpp"
 #include "ros2/camera_search.hpp"

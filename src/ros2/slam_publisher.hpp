@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "input/recordings/ros2_messages.hpp"
+#include "input/recordings/messages/ros2_messages.hpp"
 #include "ros2/node.hpp"
 #include "ros2/robot_frames.hpp"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-#include "input/recordings/test_messages.hpp"
+#include "input/recordings/messages/test_messages.hpp"
 #include "ros2/node.hpp"
 
 namespace stdc::ros2 {

@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 
 namespace stdc::ros2 {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 
 namespace stdc {
 namespace {

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "core/error.hpp"
-#include "core/image_codec.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc {
 

@@ -4,8 +4,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/image_codec.hpp"
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc {
 namespace {

@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/image_list.hpp"
-#include "core/text_file.hpp"
+#include "core/files/image_list.hpp"
+#include "core/files/text_file.hpp"
 
 namespace stdc {
 namespace {

@@ -6,7 +6,7 @@
 namespace stdc {
 namespace {
 
-constexpr std::array renamed{
+constexpr std::array kRenamed{
     RenamedSetting{"segmentation.settling", "segmentation.border_trimming"},
     RenamedSetting{"propagation.memory", "propagation.history"},
     RenamedSetting{"tracking.match_distance", "tracking.max_hamming_distance"},
@@ -40,15 +40,15 @@ constexpr std::array renamed{
 
 }  // namespace
 
-std::span<const RenamedSetting> renamed_settings() { return renamed; }
+std::span<const RenamedSetting> renamed_settings() { return kRenamed; }
 
 const RenamedSetting* find_renamed_setting(std::string_view before) {
-  const auto found = std::ranges::find(renamed, before, &RenamedSetting::before);
-  return found == renamed.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(kRenamed, before, &RenamedSetting::before);
+  return found == kRenamed.end() ? nullptr : &*found;
 }
 
 bool is_renamed_section(std::string_view section) {
-  return std::ranges::any_of(renamed, [&](const RenamedSetting& setting) {
+  return std::ranges::any_of(kRenamed, [&](const RenamedSetting& setting) {
     return setting.before.substr(0, setting.before.find('.')) == section;
   });
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "atlas/map_file.hpp"
+#include "atlas/storage/map_file.hpp"
 #include "core/error.hpp"
 #include "dense/fusion/rectifier.hpp"
 #include "dense/mesh/make_mesh.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "slam/test_load.hpp"
-#include "slam/test_sequence.hpp"
+#include "slam/system_tests/test_load.hpp"
+#include "slam/system_tests/test_sequence.hpp"
 
 namespace stdc {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "viewer/byte_writer.hpp"
+#include "viewer/messages/byte_writer.hpp"
 
 namespace stdc {
 namespace {

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <utility>
 
-#include "viewer/byte_writer.hpp"
-#include "viewer/image_message.hpp"
+#include "viewer/messages/byte_writer.hpp"
+#include "viewer/messages/image_message.hpp"
 
 namespace stdc {
 namespace {

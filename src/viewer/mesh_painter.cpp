@@ -5,7 +5,7 @@
 
 #include "core/give_way.hpp"
 #include "core/stopwatch.hpp"
-#include "viewer/mesh_message.hpp"
+#include "viewer/messages/mesh_message.hpp"
 
 namespace stdc {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "viewer/server/view_request.hpp"
 #include "viewer/view_board.hpp"
-#include "viewer/view_request.hpp"
 
 namespace stdc {
 

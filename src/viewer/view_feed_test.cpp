@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "viewer/test_message.hpp"
+#include "viewer/messages/test_message.hpp"
 
 namespace stdc {
 namespace {

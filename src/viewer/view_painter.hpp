@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "viewer/aligned_truth.hpp"
-#include "viewer/image_message.hpp"
 #include "viewer/keyframe_images.hpp"
-#include "viewer/map_message.hpp"
+#include "viewer/messages/image_message.hpp"
+#include "viewer/messages/map_message.hpp"
 #include "viewer/view_board.hpp"
 #include "viewer/view_state.hpp"
 

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "viewer/keyframe_images.hpp"
-#include "viewer/local_addresses.hpp"
 #include "viewer/mesh_painter.hpp"
 #include "viewer/pause_gate.hpp"
+#include "viewer/server/local_addresses.hpp"
+#include "viewer/server/web_server.hpp"
 #include "viewer/view_painter.hpp"
-#include "viewer/web_server.hpp"
 
 namespace stdc {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/rgbd_image.hpp"
 #include "input/trajectory.hpp"
 #include "slam/slam.hpp"
+#include "viewer/server/web_address.hpp"
 #include "viewer/view_state.hpp"
-#include "viewer/web_address.hpp"
 
 namespace stdc {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "slam/test_sequence.hpp"
-#include "viewer/test_message.hpp"
-#include "viewer/test_web.hpp"
+#include "slam/system_tests/test_sequence.hpp"
+#include "viewer/messages/test_message.hpp"
+#include "viewer/server/test_web.hpp"
 #include "viewer/view_topic.hpp"
 
 namespace stdc {

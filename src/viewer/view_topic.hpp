@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/byte_writer.hpp"
+#include "viewer/messages/byte_writer.hpp"
 
 namespace stdc {
 

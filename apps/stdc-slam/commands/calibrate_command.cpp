@@ -7,9 +7,9 @@
 
 #include "calibration/scene_recorder.hpp"
 #include "commands/commands.hpp"
-#include "commands/input_options.hpp"
+#include "commands/options/input_options.hpp"
 #include "core/error.hpp"
-#include "core/whole_file.hpp"
+#include "core/files/whole_file.hpp"
 #include "report/calibration_report.hpp"
 #include "run/frame_loader.hpp"
 #include "run/interrupt_watch.hpp"

@@ -5,11 +5,11 @@
 #include <opencv2/core/utility.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/input_options.hpp"
-#include "commands/ros2_camera_arguments.hpp"
+#include "commands/options/input_options.hpp"
+#include "commands/options/ros2_camera_arguments.hpp"
 #include "core/error.hpp"
-#include "run/convert_to_mcap.hpp"
-#include "run/record_ros2.hpp"
+#include "run/convert/convert_to_mcap.hpp"
+#include "run/ros2/record_ros2.hpp"
 
 namespace stdc::app {
 namespace {

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "commands/input_options.hpp"
+#include "commands/options/input_options.hpp"
 #include "core/error.hpp"
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "features/detection/uniformity.hpp"
 #include "features/extractor.hpp"
 #include "input/frame_decoder.hpp"
-#include "report/debug_images.hpp"
+#include "report/pictures/debug_images.hpp"
 #include "run/output_folder.hpp"
 #include "run/progress.hpp"
 

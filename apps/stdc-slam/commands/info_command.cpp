@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "commands/commands.hpp"
-#include "commands/input_options.hpp"
+#include "commands/options/input_options.hpp"
 #include "core/error.hpp"
 #include "input/camera_file.hpp"
 #include "input/shifted_depth.hpp"

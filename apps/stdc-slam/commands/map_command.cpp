@@ -7,17 +7,17 @@
 #include <memory>
 #include <optional>
 
-#include "atlas/map_file.hpp"
+#include "atlas/storage/map_file.hpp"
 #include "commands/commands.hpp"
-#include "commands/settings_options.hpp"
+#include "commands/options/settings_options.hpp"
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "dense/mesh/make_mesh.hpp"
 #include "report/map_export.hpp"
 #include "report/map_report.hpp"
-#include "run/dense_detail.hpp"
+#include "run/dense/dense_detail.hpp"
+#include "run/dense/run_dense.hpp"
 #include "run/output_folder.hpp"
-#include "run/run_dense.hpp"
 
 namespace stdc::app {
 namespace {

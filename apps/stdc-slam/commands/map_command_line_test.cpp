@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "atlas/test_map_file.hpp"
+#include "atlas/storage/test_map_file.hpp"
 #include "commands/test_command_line.hpp"
 #include "input/trajectory.hpp"
 

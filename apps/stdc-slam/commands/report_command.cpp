@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "core/text_file.hpp"
-#include "core/whole_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/files/whole_file.hpp"
 #include "report/comparison.hpp"
 #include "run/command_line.hpp"
 

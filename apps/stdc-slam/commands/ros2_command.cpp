@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "commands/commands.hpp"
-#include "commands/ros2_camera_arguments.hpp"
-#include "commands/view_options.hpp"
-#include "run/run_ros2.hpp"
+#include "commands/options/ros2_camera_arguments.hpp"
+#include "commands/options/view_options.hpp"
+#include "run/ros2/run_ros2.hpp"
 
 namespace stdc::app {
 namespace {

@@ -1,7 +1,7 @@
 // `ros2` and `record ros2:` in a build without Fast DDS: they say what is missing and how to get it.
 #include "commands/commands.hpp"
 #include "core/error.hpp"
-#include "run/record_ros2.hpp"
+#include "run/ros2/record_ros2.hpp"
 
 namespace stdc::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "commands/commands.hpp"
-#include "commands/input_options.hpp"
-#include "commands/view_options.hpp"
+#include "commands/options/input_options.hpp"
+#include "commands/options/view_options.hpp"
 #include "core/error.hpp"
 #include "run/run_sequence.hpp"
 

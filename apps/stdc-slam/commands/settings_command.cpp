@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "commands/settings_options.hpp"
+#include "commands/options/settings_options.hpp"
 #include "slam/settings_io.hpp"
 
 namespace stdc::app {

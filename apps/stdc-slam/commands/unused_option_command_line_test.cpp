@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "atlas/map_file.hpp"
+#include "atlas/storage/map_file.hpp"
 #include "commands/test_command_line.hpp"
 
 namespace stdc::app {

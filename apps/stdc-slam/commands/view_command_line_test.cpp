@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "commands/test_command_line.hpp"
-#include "viewer/test_web.hpp"
+#include "viewer/server/test_web.hpp"
 
 namespace stdc::app {
 namespace {

@@ -11,7 +11,7 @@ namespace stdc::app {
 namespace {
 
 /// A value as people and the camera file have it.
-struct Row {
+struct CalibrationRow {
   std::string key;
   double given = 0, value = 0, sigma = 0;
   bool seen = false;
@@ -20,8 +20,8 @@ struct Row {
   const char* why_not = "";  ///< what a recording must have to show it
 };
 
-Row row_of(const CalibratedValue& estimate, const Camera& given) {
-  Row row;
+CalibrationRow row_of(const CalibratedValue& estimate, const Camera& given) {
+  CalibrationRow row;
   row.given = estimate.given, row.value = estimate.value, row.sigma = estimate.sigma,
   row.seen = estimate.seen;
   switch (estimate.parameter) {
@@ -46,12 +46,12 @@ Row row_of(const CalibratedValue& estimate, const Camera& given) {
   return row;
 }
 
-std::vector<Row> rows_of(const CalibrationRecord& record) {
-  std::vector<Row> rows;
+std::vector<CalibrationRow> rows_of(const CalibrationRecord& record) {
+  std::vector<CalibrationRow> rows;
   for (const CalibratedValue& estimate : record.calibration.estimates) {
     rows.push_back(row_of(estimate, record.given.colour));
     if (estimate.parameter != CalibrationParameter::focal_length) continue;
-    Row fy = rows.back();
+    CalibrationRow fy = rows.back();
     const double ratio = record.given.colour.fy / record.given.colour.fx;
     fy.key = "fy", fy.given *= ratio, fy.value *= ratio, fy.sigma *= ratio;
     rows.push_back(fy);
@@ -71,7 +71,7 @@ std::string calibration_text(const CalibrationRecord& record) {
   std::string text =
       fmt::format("{}: {} frames, {} keyframes, {} points, {} observations\n", record.name, record.frames,
                   calibration.keyframes, calibration.points, calibration.observations);
-  for (const Row& row : rows_of(record)) {
+  for (const CalibrationRow& row : rows_of(record)) {
     if (row.seen) {
       text += fmt::format("{:<22} {:>10.{}f} {} +- {:.{}f} (was {:.{}f})\n", row.key, row.value, row.decimals,
                           row.unit, row.sigma, row.decimals, row.given, row.decimals);
@@ -90,7 +90,7 @@ nlohmann::ordered_json calibration_json(const CalibrationRecord& record) {
                                  {"keyframes", record.calibration.keyframes},
                                  {"points", record.calibration.points},
                                  {"observations", record.calibration.observations}};
-  for (const Row& row : rows_of(record)) {
+  for (const CalibrationRow& row : rows_of(record)) {
     nlohmann::ordered_json value = {{"given", row.given}, {"seen", row.seen}};
     if (row.seen) value["value"] = row.value, value["sigma"] = row.sigma;
     json["values"][row.key] = std::move(value);
@@ -104,7 +104,7 @@ nlohmann::ordered_json calibration_json(const CalibrationRecord& record) {
 std::string calibrated_camera_file(const CalibrationRecord& record) {
   std::string text = fmt::format("# Made by stdc-slam calibrate of {} ({} frames). Standard deviations:\n",
                                  record.name, record.frames);
-  for (const Row& row : rows_of(record)) {
+  for (const CalibrationRow& row : rows_of(record)) {
     if (row.seen) {
       text += fmt::format("#   {}: {:.{}f}\n", row.key, row.sigma, row.decimals);
     } else {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "report/evo_result.hpp"
+#include "report/evo/evo_result.hpp"
 #include "report/merge_reports.hpp"
 #include "report/report_page.hpp"
 #include "report/run_report.hpp"

@@ -7,10 +7,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "report/frames_json.hpp"
-#include "report/path_json.hpp"
+#include "report/json/frames_json.hpp"
+#include "report/json/path_json.hpp"
+#include "report/pictures/svg_plot.hpp"
 #include "report/score_report.hpp"
-#include "report/svg_plot.hpp"
 
 namespace stdc::app {
 namespace {

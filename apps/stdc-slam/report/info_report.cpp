@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "input/open_source.hpp"
-#include "report/camera_json.hpp"
+#include "report/json/camera_json.hpp"
 #include "report/report_page.hpp"
 
 namespace stdc::app {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "atlas/test_map_file.hpp"
+#include "atlas/storage/test_map_file.hpp"
 #include "report/map_report.hpp"
 
 namespace stdc::app {

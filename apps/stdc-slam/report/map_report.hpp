@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "atlas/map_file.hpp"
+#include "atlas/storage/map_file.hpp"
 
 namespace stdc::app {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/json/series_json.hpp"
 #include "report/report_page.hpp"
-#include "report/series_json.hpp"
 
 namespace stdc::app {
 namespace {

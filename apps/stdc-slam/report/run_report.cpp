@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "report/frames_json.hpp"
+#include "report/json/frames_json.hpp"
+#include "report/json/series_json.hpp"
 #include "report/run_warnings.hpp"
-#include "report/series_json.hpp"
 #include "run/command_line.hpp"
 #include "slam/settings_io.hpp"
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "report/path_json.hpp"
+#include "report/json/path_json.hpp"
+#include "report/pictures/sample_frames.hpp"
 #include "report/run_record.hpp"
 #include "report/run_summary.hpp"
-#include "report/sample_frames.hpp"
 
 namespace stdc::app {
 

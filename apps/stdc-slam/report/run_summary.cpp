@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "report/camera_json.hpp"
+#include "report/json/camera_json.hpp"
 #include "report/report_page.hpp"
 #include "report/score_report.hpp"
 

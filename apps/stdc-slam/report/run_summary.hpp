@@ -8,7 +8,7 @@
 #include "input/ground_truth.hpp"
 #include "input/rgbd_cameras.hpp"
 #include "report/run_record.hpp"
-#include "run/mask_scoring.hpp"
+#include "run/masks/mask_scoring.hpp"
 #include "run/process_usage.hpp"
 #include "run/run_score.hpp"
 #include "slam/settings.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "report/frames_json.hpp"
+#include "report/json/frames_json.hpp"
 #include "report/result_text.hpp"
 
 namespace stdc::app {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/frames_json.hpp"
+#include "report/json/frames_json.hpp"
 
 namespace stdc::app {
 namespace {

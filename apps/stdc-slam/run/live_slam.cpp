@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/unique_folder.hpp"
+#include "core/files/unique_folder.hpp"
 
 namespace stdc::app {
 namespace {

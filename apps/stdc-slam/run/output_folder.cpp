@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/unique_folder.hpp"
+#include "core/files/unique_folder.hpp"
 
 namespace stdc::app {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/new_folders.hpp"
+#include "core/files/new_folders.hpp"
 
 namespace stdc::app {
 

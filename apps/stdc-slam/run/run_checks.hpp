@@ -1,6 +1,6 @@
 #pragma once
 
-#include "run/inpainted_folder.hpp"
+#include "run/inpaint/inpainted_folder.hpp"
 #include "run/run_options.hpp"
 #include "slam/settings.hpp"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "commands/segmentation_options.hpp"
-#include "commands/settings_options.hpp"
+#include "commands/options/segmentation_options.hpp"
+#include "commands/options/settings_options.hpp"
+#include "run/dense/run_dense.hpp"
 #include "run/live_view.hpp"
-#include "run/run_dense.hpp"
 #include "run/sequence_input.hpp"
 
 namespace stdc::app {

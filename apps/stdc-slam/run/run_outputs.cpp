@@ -1,8 +1,8 @@
 #include "run/run_outputs.hpp"
 
-#include "run/mask_check.hpp"
+#include "run/dense/run_dense.hpp"
+#include "run/masks/mask_check.hpp"
 #include "run/run_checks.hpp"
-#include "run/run_dense.hpp"
 
 namespace stdc::app {
 namespace {

@@ -3,15 +3,15 @@
 #include <optional>
 #include <vector>
 
-#include "report/debug_images.hpp"
-#include "report/sample_frames.hpp"
-#include "run/dense_output.hpp"
-#include "run/inpainted_folder.hpp"
-#include "run/mask_record.hpp"
-#include "run/mask_scoring.hpp"
+#include "report/pictures/debug_images.hpp"
+#include "report/pictures/sample_frames.hpp"
+#include "run/dense/dense_output.hpp"
+#include "run/inpaint/inpainted_folder.hpp"
+#include "run/masks/mask_record.hpp"
+#include "run/masks/mask_scoring.hpp"
+#include "run/masks/saved_masks.hpp"
 #include "run/output_folder.hpp"
 #include "run/run_options.hpp"
-#include "run/saved_masks.hpp"
 
 namespace stdc::app {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "report/pictures/sample_frames.hpp"
 #include "report/run_record.hpp"
 #include "report/run_summary.hpp"
-#include "report/sample_frames.hpp"
 #include "run/run_options.hpp"
 #include "run/run_trajectories.hpp"
 

@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "core/image_codec.hpp"
+#include "core/files/test_folder.hpp"
+#include "core/images/image_codec.hpp"
 #include "core/random.hpp"
-#include "core/test_folder.hpp"
 #include "input/camera_file.hpp"
 
 namespace stdc::test {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "report/run_record.hpp"
 #include "run/frame_loader.hpp"
 #include "run/frame_observer.hpp"

@@ -1,4 +1,4 @@
-#include "core/image_size.hpp"
+#include "core/images/image_size.hpp"
 #include "input/depth_formats/depth_formats.hpp"
 
 namespace stdc {

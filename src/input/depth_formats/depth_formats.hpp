@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 
 namespace stdc {
 

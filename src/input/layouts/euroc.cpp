@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "input/layouts/csv_file.hpp"
 #include "input/layouts/image_folder.hpp"
 #include "input/layouts/layouts.hpp"

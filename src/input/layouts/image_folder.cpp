@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/image_size.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
+#include "core/images/image_size.hpp"
 #include "input/association.hpp"
 
 namespace stdc {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/image_list.hpp"
-#include "core/text_file.hpp"
+#include "core/files/image_list.hpp"
+#include "core/files/text_file.hpp"
 #include "input/association.hpp"
 
 namespace stdc {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 
 namespace stdc {
 

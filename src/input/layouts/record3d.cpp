@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "input/layouts/image_folder.hpp"
 #include "input/layouts/layouts.hpp"
 #include "input/layouts/pose_files.hpp"

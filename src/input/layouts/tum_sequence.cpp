@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/image_list.hpp"
-#include "core/text_file.hpp"
+#include "core/files/image_list.hpp"
+#include "core/files/text_file.hpp"
 #include "input/association.hpp"
 #include "input/camera_file.hpp"
 #include "input/layouts/image_folder.hpp"

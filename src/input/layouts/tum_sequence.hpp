@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/camera.hpp"
-#include "core/image_codec.hpp"
-#include "core/image_list.hpp"
+#include "core/files/image_list.hpp"
+#include "core/images/image_codec.hpp"
 #include "core/rgbd_image.hpp"
 #include "input/ground_truth.hpp"
 #include "input/image_file.hpp"

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/image_codec.hpp"
+#include "core/images/image_codec.hpp"
 #include "input/camera_file.hpp"
 
 namespace stdc {

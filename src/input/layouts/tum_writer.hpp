@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/camera.hpp"
-#include "core/new_folders.hpp"
+#include "core/files/new_folders.hpp"
 
 namespace stdc {
 

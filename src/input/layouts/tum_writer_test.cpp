@@ -4,8 +4,8 @@
 
 #include <thread>
 
-#include "core/test_folder.hpp"
-#include "core/text_file.hpp"
+#include "core/files/test_folder.hpp"
+#include "core/files/text_file.hpp"
 #include "input/layouts/tum_sequence.hpp"
 
 namespace stdc {

@@ -6,12 +6,12 @@
 #include <fstream>
 
 #include "core/error.hpp"
-#include "input/recordings/bag_recording.hpp"
-#include "input/recordings/db3_recording.hpp"
-#include "input/recordings/mcap_recording.hpp"
-#include "input/recordings/rosbag2_folder.hpp"
-#include "input/recordings/unpacked_file.hpp"
-#include "input/recordings/unpacked_messages.hpp"
+#include "input/recordings/containers/bag_recording.hpp"
+#include "input/recordings/containers/db3_recording.hpp"
+#include "input/recordings/containers/mcap_recording.hpp"
+#include "input/recordings/containers/rosbag2_folder.hpp"
+#include "input/recordings/containers/unpacked_file.hpp"
+#include "input/recordings/containers/unpacked_messages.hpp"
 
 namespace stdc {
 namespace {

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <numeric>
 
-#include "core/test_folder.hpp"
-#include "input/recordings/message_image.hpp"
-#include "input/recordings/test_pattern.hpp"
+#include "core/files/test_folder.hpp"
+#include "input/recordings/messages/message_image.hpp"
+#include "input/recordings/messages/test_pattern.hpp"
 
 namespace stdc {
 namespace {

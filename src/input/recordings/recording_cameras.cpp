@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "input/recordings/camera_of_info.hpp"
-#include "input/recordings/ros_messages.hpp"
+#include "input/recordings/messages/camera_of_info.hpp"
+#include "input/recordings/messages/ros_messages.hpp"
 #include "input/recordings/topic_names.hpp"
 
 namespace stdc {

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "input/recordings/containers/packed_messages.hpp"
 #include "input/recordings/forward_stamps.hpp"
+#include "input/recordings/messages/ros_messages.hpp"
+#include "input/recordings/messages/stamp.hpp"
 #include "input/recordings/open_recording.hpp"
-#include "input/recordings/packed_messages.hpp"
 #include "input/recordings/recording_cameras.hpp"
 #include "input/recordings/recording_truth.hpp"
-#include "input/recordings/ros_messages.hpp"
-#include "input/recordings/stamp.hpp"
 #include "input/recordings/stamp_pairing.hpp"
 #include "input/recordings/topic_choice.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "input/frame_decoder.hpp"
-#include "input/recordings/test_messages.hpp"
-#include "input/recordings/test_pattern.hpp"
+#include "input/recordings/messages/test_messages.hpp"
+#include "input/recordings/messages/test_pattern.hpp"
 
 namespace stdc {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "input/recordings/ros_messages.hpp"
+#include "input/recordings/messages/ros_messages.hpp"
 
 namespace stdc {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "input/recordings/message_image.hpp"
+#include "input/recordings/messages/message_image.hpp"
 #include "input/recordings/recording.hpp"
 #include "input/recordings/transform_tree.hpp"
 

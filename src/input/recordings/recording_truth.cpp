@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "input/recordings/messages/ros_messages.hpp"
+#include "input/recordings/messages/stamp.hpp"
 #include "input/recordings/recording_survey.hpp"
-#include "input/recordings/ros_messages.hpp"
-#include "input/recordings/stamp.hpp"
 
 namespace stdc {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
-#include "input/recordings/ros_messages.hpp"
+#include "core/files/text_file.hpp"
+#include "input/recordings/messages/ros_messages.hpp"
 #include "input/recordings/topic_names.hpp"
 
 namespace stdc {

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/error.hpp"
-#include "input/depth_registration.hpp"
+#include "input/registration/depth_registration.hpp"
 
 namespace stdc {
 namespace {
@@ -128,10 +128,10 @@ class ImageTaker {
 
   /// A depth of every few pixels will do.
   void add_depths(const cv::Mat& depth) {
-    constexpr int kStep = 7;
+    constexpr int kPixelStep = 7;
     valid_.push_back(share_of_depth(depth));
-    for (int y = kStep / 2; y < depth.rows; y += kStep) {
-      for (int x = kStep / 2; x < depth.cols; x += kStep) {
+    for (int y = kPixelStep / 2; y < depth.rows; y += kPixelStep) {
+      for (int x = kPixelStep / 2; x < depth.cols; x += kPixelStep) {
         const double value = depth.type() == CV_16UC1 ? depth.at<std::uint16_t>(y, x)
                                                       : static_cast<double>(depth.at<float>(y, x));
         ++pixels_;

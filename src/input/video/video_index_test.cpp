@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "input/video/ffmpeg.hpp"
 #include "input/video/test_video.hpp"
 

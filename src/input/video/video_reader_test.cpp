@@ -8,7 +8,7 @@
 #include <cstring>
 #include <opencv2/imgproc.hpp>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "input/video/test_video.hpp"
 #include "input/video/video_index.hpp"
 

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "core/files/test_folder.hpp"
 #include "core/random.hpp"
-#include "core/test_folder.hpp"
 #include "segmentation/network/kernels/dnnl_convolution.hpp"
 #include "segmentation/network/test_random_weights.hpp"
 #include "segmentation/network/thread_state_guard.hpp"

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/text_file.hpp"
+#include "core/files/text_file.hpp"
 #include "segmentation/network/onnx_segmenter.hpp"
 
 namespace stdc {

@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/test_folder.hpp"
-#include "core/text_file.hpp"
+#include "core/files/test_folder.hpp"
+#include "core/files/text_file.hpp"
 #include "segmentation/network/safetensors.hpp"
 #include "segmentation/network/weights_reader.hpp"
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "segmentation/network/kernels/weight_kernels.hpp"
 
 namespace stdc {

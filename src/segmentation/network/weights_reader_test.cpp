@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "segmentation/network/test_random_weights.hpp"
 
 namespace stdc {

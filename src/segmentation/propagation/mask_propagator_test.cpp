@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "segmentation/propagation/test_stage.hpp"
 
 namespace stdc {

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/test_folder.hpp"
+#include "core/files/test_folder.hpp"
 #include "segmentation/propagation/test_stage.hpp"
 #include "segmentation/srm/refinement.hpp"
 

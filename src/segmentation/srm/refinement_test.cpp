@@ -9,10 +9,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/every_target.hpp"
-#include "core/image_codec.hpp"
+#include "core/files/test_folder.hpp"
+#include "core/files/text_file.hpp"
+#include "core/images/image_codec.hpp"
 #include "core/random.hpp"
-#include "core/test_folder.hpp"
-#include "core/text_file.hpp"
 #include "segmentation/srm/test_literal_refinement.hpp"
 
 namespace stdc {
@@ -21,7 +21,7 @@ namespace {
 using test::literal_refinement;
 using test::on_every_target;
 
-constexpr double kUnits = 5000;
+constexpr double kDepthUnits = 5000;
 
 bool same(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_L1) == 0;
@@ -29,13 +29,13 @@ bool same(const cv::Mat& a, const cv::Mat& b) {
 
 /// Holds `refine` against the definition for 16-bit depths and for the same depths in metres.
 void expect_exact(const cv::Mat& mask, const cv::Mat& depth, const RefinementSettings& settings = {}) {
-  const cv::Mat wanted = literal_refinement(mask, depth, kUnits, settings);
+  const cv::Mat wanted = literal_refinement(mask, depth, kDepthUnits, settings);
   cv::Mat metres;
-  depth.convertTo(metres, CV_32F, 1 / kUnits);
-  const cv::Mat wanted_in_metres = literal_refinement(mask, metres, kUnits, settings);
+  depth.convertTo(metres, CV_32F, 1 / kDepthUnits);
+  const cv::Mat wanted_in_metres = literal_refinement(mask, metres, kDepthUnits, settings);
   on_every_target([&] {
-    EXPECT_TRUE(same(refine(mask, depth, kUnits, settings), wanted));
-    EXPECT_TRUE(same(refine(mask, metres, kUnits, settings), wanted_in_metres));
+    EXPECT_TRUE(same(refine(mask, depth, kDepthUnits, settings), wanted));
+    EXPECT_TRUE(same(refine(mask, metres, kDepthUnits, settings), wanted_in_metres));
   });
 }
 
@@ -132,8 +132,8 @@ TEST(Refinement, TakesDepthsThatAreNotNumbersForMissing) {
       depth.at<float>(y, x) = depths[random.below(10)];
     }
   }
-  const cv::Mat wanted = literal_refinement(mask, depth, kUnits, {});
-  on_every_target([&] { EXPECT_TRUE(same(refine(mask, depth, kUnits), wanted)); });
+  const cv::Mat wanted = literal_refinement(mask, depth, kDepthUnits, {});
+  on_every_target([&] { EXPECT_TRUE(same(refine(mask, depth, kDepthUnits), wanted)); });
 }
 
 TEST(Refinement, ThresholdIsInMetresAndInclusive) {
@@ -155,22 +155,22 @@ TEST(Refinement, ReachesTheCornersOfTheWindowAndNotBeyond) {
   mask.at<std::uint8_t>(20, 15) = 255;
   cv::Mat wanted = cv::Mat::zeros(40, 40, CV_8UC1);
   wanted(cv::Rect(15 - 8, 20 - 8, 17, 17)) = 255;
-  EXPECT_TRUE(same(refine(mask, depth, kUnits), wanted));
+  EXPECT_TRUE(same(refine(mask, depth, kDepthUnits), wanted));
 }
 
 TEST(Refinement, PixelsWithoutDepthKeepThemselvesOnly) {
   cv::Mat mask = cv::Mat::zeros(30, 30, CV_8UC1), depth(30, 30, CV_16UC1, cv::Scalar(100));
   mask.at<std::uint8_t>(15, 15) = 255;
   depth.at<std::uint16_t>(15, 15) = 0;
-  const cv::Mat result = refine(mask, depth, kUnits);
+  const cv::Mat result = refine(mask, depth, kDepthUnits);
   EXPECT_EQ(cv::countNonZero(result), 1);
   EXPECT_EQ(result.at<std::uint8_t>(15, 15), 255);
 }
 
 TEST(Refinement, EmptyMasksStayEmpty) {
   const cv::Mat depth(48, 64, CV_16UC1, cv::Scalar(5000));
-  EXPECT_EQ(cv::countNonZero(refine(cv::Mat::zeros(48, 64, CV_8UC1), depth, kUnits)), 0);
-  EXPECT_TRUE(refine(cv::Mat(0, 0, CV_8UC1), cv::Mat(0, 0, CV_16UC1), kUnits).empty());
+  EXPECT_EQ(cv::countNonZero(refine(cv::Mat::zeros(48, 64, CV_8UC1), depth, kDepthUnits)), 0);
+  EXPECT_TRUE(refine(cv::Mat(0, 0, CV_8UC1), cv::Mat(0, 0, CV_16UC1), kDepthUnits).empty());
 }
 
 TEST(Refinement, WorksOnPartsOfLargerImages) {
@@ -184,23 +184,23 @@ TEST(Refinement, MayReplaceTheMask) {
   Random random(7);
   const Scene scene = blobs({160, 120}, random);
   cv::Mat mask = scene.mask.clone();
-  refine(mask, scene.depth, kUnits, {}, mask);
-  EXPECT_TRUE(same(mask, refine(scene.mask, scene.depth, kUnits)));
+  refine(mask, scene.depth, kDepthUnits, {}, mask);
+  EXPECT_TRUE(same(mask, refine(scene.mask, scene.depth, kDepthUnits)));
 }
 
 TEST(Refinement, RefusesWhatDoesNotFit) {
   using test::message_of;
   const cv::Mat mask(48, 64, CV_8UC1, cv::Scalar(0)), depth(48, 64, CV_16UC1, cv::Scalar(0));
-  EXPECT_NE(message_of([&] { refine(mask, depth.rowRange(0, 40), kUnits); }).find("64 x 48"),
+  EXPECT_NE(message_of([&] { refine(mask, depth.rowRange(0, 40), kDepthUnits); }).find("64 x 48"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { refine(depth, depth, kUnits); }), "");
-  EXPECT_NE(message_of([&] { refine(mask, mask, kUnits); }), "");
+  EXPECT_NE(message_of([&] { refine(depth, depth, kDepthUnits); }), "");
+  EXPECT_NE(message_of([&] { refine(mask, mask, kDepthUnits); }), "");
   EXPECT_NE(message_of([&] {
-              refine(mask, depth, kUnits, {16, 0.1});
+              refine(mask, depth, kDepthUnits, {16, 0.1});
             }).find("refinement.window"),
             std::string::npos);
   EXPECT_NE(message_of([&] {
-              refine(mask, depth, kUnits, {17, std::nan("")});
+              refine(mask, depth, kDepthUnits, {17, std::nan("")});
             }).find("refinement.tau"),
             std::string::npos);
 }
@@ -220,8 +220,8 @@ TEST(Refinement, EqualsTheDefinitionOnRealDepth) {
       ASSERT_FALSE(depth.empty()) << entry.path();
       cv::Mat mask = (depth > 0) & (depth < cv::sum(depth)[0] / cv::countNonZero(depth));
       cv::erode(mask, mask, cv::Mat(), {-1, -1}, 4);
-      const cv::Mat refined = refine(mask, depth, kUnits);
-      EXPECT_TRUE(same(refined, literal_refinement(mask, depth, kUnits, {}))) << entry.path();
+      const cv::Mat refined = refine(mask, depth, kDepthUnits);
+      EXPECT_TRUE(same(refined, literal_refinement(mask, depth, kDepthUnits, {}))) << entry.path();
       ++images;
     }
   }
