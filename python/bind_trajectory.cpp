@@ -111,12 +111,15 @@ void bind_trajectory(py::module_& module) {
         result["rpe_second_translation"] = dict_of(scores.rpe_second_translation);
         result["rpe_second_rotation"] = dict_of(scores.rpe_second_rotation);
         result["coverage"] = scores.coverage;
+        result["scale"] = scores.scale.factor;
+        result["ate_with_scale"] = scores.scale.ate_rmse;
         result["truth_from_estimate"] = array_of(scores.truth_from_estimate);
         return result;
       },
       py::arg("truth"), py::arg("estimate"), py::arg("max_difference") = 0.02,
       "Scores an estimate as TUM's tools and evo do: ATE after SE(3) alignment [m], relative errors [m, "
-      "deg].\n\n"
+      "deg]. scale: of the estimate's size to the truth's by the best similarity; ate_with_scale: RMSE after "
+      "it [m].\n\n"
       "Each a Trajectory, a file in TUM format, or an N x 8 array of its columns. Returns a dict.");
 }
 

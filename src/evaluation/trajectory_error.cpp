@@ -94,6 +94,30 @@ std::vector<double> absolute_errors(const std::vector<Pair>& pairs, const Pose& 
   return errors;
 }
 
+/// Umeyama (PAMI 1991, eq. 42): the rotation of the best similarity is that of the best rigid transform.
+ScaleFit fit_scale(const std::vector<Pair>& pairs, const Pose& truth_from_estimate) {
+  Eigen::Vector3d truth_centre = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();
+  const auto count = static_cast<double>(pairs.size());
+  for (const Pair& pair : pairs) {
+    truth_centre += pair.truth.translation / count;
+    centre += truth_from_estimate * pair.estimate.translation / count;
+  }
+  double common = 0, own = 0, squares = 0;
+  for (const Pair& pair : pairs) {
+    const Eigen::Vector3d estimate = truth_from_estimate * pair.estimate.translation - centre;
+    common += estimate.dot(pair.truth.translation - truth_centre);
+    own += estimate.squaredNorm();
+  }
+  ScaleFit fit;
+  if (own > 0 && common > 0) fit.factor = common / own;
+  for (const Pair& pair : pairs) {
+    const Eigen::Vector3d estimate = truth_from_estimate * pair.estimate.translation - centre;
+    squares += (fit.factor * estimate - (pair.truth.translation - truth_centre)).squaredNorm();
+  }
+  fit.ate_rmse = std::sqrt(squares / count);
+  return fit;
+}
+
 /// Relative errors over the given steps (from, to), Sturm et al., Eq. 2.
 void relative_error(const std::vector<Pair>& pairs,
                     const std::vector<std::pair<std::size_t, std::size_t>>& steps,
@@ -154,6 +178,11 @@ std::optional<double> time_coverage(const Trajectory& truth, const Trajectory& e
 
 }  // namespace
 
+bool ScaleFit::is_suspicious(double rigid_rmse) const {
+  constexpr double kMaxOff = 0.01, kMaxRest = 2.0 / 3;
+  return std::abs(factor - 1) > kMaxOff && ate_rmse < kMaxRest * rigid_rmse;
+}
+
 TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& estimate, double max_difference,
                                   std::optional<int> frames) {
   const std::vector<Pair> pairs = pair_up(truth, estimate, max_difference);
@@ -171,6 +200,7 @@ TrajectoryScores score_trajectory(const Trajectory& truth, const Trajectory& est
   scores.off_by_5_cm = static_cast<int>(
       std::count_if(distances.begin(), distances.end(), [](double error) { return error > kFarOff; }));
   scores.ate = statistics(std::move(distances)).value();  // there are three pairs or more
+  scores.scale = fit_scale(pairs, scores.truth_from_estimate);
   relative_error(pairs, frame_steps(pairs), scores.rpe_frame_translation, scores.rpe_frame_rotation);
   relative_error(pairs, second_steps(pairs), scores.rpe_second_translation, scores.rpe_second_rotation);
   for (const std::optional<ErrorStatistics>& errors :

@@ -12,6 +12,16 @@ struct ErrorStatistics {
   double rmse = 0, mean = 0, median = 0, maximum = 0;
 };
 
+/// The similarity (Sim(3)) that aligns an estimate best. RGB-D has no free scale: one that is far from 1
+/// tells of wrong units of depth or of a wrong focal length.
+struct ScaleFit {
+  double factor = 1;    ///< of the estimate's size to the truth's: 0.97 if the estimate is 3 % too large
+  double ate_rmse = 0;  ///< with the estimate enlarged by it [m]
+
+  /// Whether the scale is off by more than 1 % and explains more than a third of the error.
+  bool is_suspicious(double rigid_rmse) const;
+};
+
 /// Errors of an estimated trajectory against the truth.
 struct TrajectoryScores {
   using Statistics = std::optional<ErrorStatistics>;
@@ -26,6 +36,7 @@ struct TrajectoryScores {
   /// Share of the truth's time span, or of `frames`, that has a pose, 0..1; nothing if that is empty.
   std::optional<double> coverage;
   Pose truth_from_estimate;  ///< the alignment
+  ScaleFit scale;            ///< what the scale alone has to do with the ATE
 };
 
 /// Scores an estimate as TUM's tools and evo do: pairs at most `max_difference` seconds apart, SE(3) Umeyama

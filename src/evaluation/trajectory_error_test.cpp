@@ -80,6 +80,33 @@ TEST(ScoreTrajectory, KnownErrorsGiveKnownScores) {
   EXPECT_NEAR(scores.rpe_frame_translation.value().maximum, 0.1 * 2 * std::sin(0.5 * 0.01 * 98), 1e-9);
 }
 
+TEST(ScoreTrajectory, AScaleThatIsOffIsFound) {
+  const Trajectory truth = smooth_path(200, 30);
+  Trajectory estimate = truth;
+  for (StampedPose& pose : estimate) {
+    pose.world_from_cam = Pose(rotation_exp({0.3, -0.2, 0.9}), {1, 2, 3}) * pose.world_from_cam;
+    pose.world_from_cam.translation *= 0.97;
+  }
+  const TrajectoryScores scores = score_trajectory(truth, estimate);
+  EXPECT_NEAR(scores.scale.factor, 1 / 0.97, 1e-9);
+  EXPECT_LT(scores.scale.ate_rmse, 1e-9);
+  EXPECT_GT(scores.ate.rmse, 1e-3);
+  EXPECT_TRUE(scores.scale.is_suspicious(scores.ate.rmse));
+  EXPECT_FALSE(score_trajectory(truth, truth).scale.is_suspicious(0));
+}
+
+TEST(ScoreTrajectory, AScaleThatExplainsLittleIsNotSuspicious) {
+  EXPECT_FALSE((ScaleFit{1.03, 0.009}.is_suspicious(0.010))) << "noise on a short path";
+  EXPECT_FALSE((ScaleFit{1.005, 0.001}.is_suspicious(0.010))) << "within what an RGB-D camera may be off";
+  EXPECT_TRUE((ScaleFit{0.98, 0.002}.is_suspicious(0.010)));
+}
+
+TEST(ScoreTrajectory, WhatRestsHasNoScale) {
+  Trajectory truth;
+  for (int i = 0; i < 10; ++i) truth.push_back({0.1 * i, Pose()});
+  EXPECT_EQ(score_trajectory(truth, truth).scale.factor, 1);
+}
+
 TEST(ScoreTrajectory, StatisticsAreThoseOfTheErrors) {
   // Offsets of +e and -e along z in turn, on a path in a plane: alignment cannot take them away.
   Trajectory truth, estimate;

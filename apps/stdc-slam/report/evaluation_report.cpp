@@ -44,6 +44,7 @@ std::vector<std::string> warnings_of(const Evaluation& evaluation) {
         fmt::format("{} of {} poses are more than 5 cm off the ground truth, the worst {:.0f} cm.",
                     scores.off_by_5_cm, scores.pairs, 100 * scores.ate.maximum));
   }
+  if (std::string warning = scale_warning(scores); !warning.empty()) lines.push_back(std::move(warning));
   return lines;
 }
 

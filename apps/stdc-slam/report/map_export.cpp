@@ -41,7 +41,8 @@ std::string point_cloud_ply(const Atlas& atlas) {
     const std::uint8_t grey = grey_of(atlas, landmark);
     for (int channel = 0; channel < 3; ++channel) put_value(bytes, grey);
     put_value(bytes, static_cast<std::int32_t>(landmark.observations.size()));
-    put_value(bytes, static_cast<std::int32_t>(atlas.keyframe(landmark.observations.front().keyframe).map.value));
+    put_value(bytes,
+              static_cast<std::int32_t>(atlas.keyframe(landmark.observations.front().keyframe).map.value));
   }
   return bytes;
 }

@@ -6,6 +6,7 @@
 
 #include "report/json/frames_json.hpp"
 #include "report/result_text.hpp"
+#include "report/score_report.hpp"
 
 namespace stdc::app {
 namespace {
@@ -105,6 +106,7 @@ void warn_of_truth(const RunSummary& summary, Lines& lines) {
         fmt::format("{} of {} poses are more than 5 cm off the ground truth, the worst {:.0f} cm.",
                     scores.off_by_5_cm, scores.pairs, 100 * scores.ate.maximum));
   }
+  if (std::string warning = scale_warning(scores); !warning.empty()) lines.push_back(std::move(warning));
 }
 
 void warn_of_frames(const RunSummary& summary, const RunRecord& record, Lines& lines) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/quantiles.hpp"
@@ -37,7 +38,23 @@ std::string format_scores(const TrajectoryScores& scores) {
          row("RPE per second, translation", scores.rpe_second_translation, kMillimetres, "mm") +
          row("RPE per second, rotation", scores.rpe_second_rotation, 1, "deg") +
          fmt::format("{} pairs, {} of them off by more than 5 cm; coverage {} %\n", scores.pairs,
-                     scores.off_by_5_cm, to_text(scores.coverage, 1, 100));
+                     scores.off_by_5_cm, to_text(scores.coverage, 1, 100)) +
+         scale_text(scores) + "\n";
+}
+
+std::string scale_text(const TrajectoryScores& scores) {
+  const double off = 100 * (1 / scores.scale.factor - 1);
+  return fmt::format("best scale: the estimate is {:.2f} % too {}; without that the ATE is {:.3f} mm",
+                     std::abs(off), off < 0 ? "small" : "large", 1e3 * scores.scale.ate_rmse);
+}
+
+std::string scale_warning(const TrajectoryScores& scores) {
+  if (!scores.scale.is_suspicious(scores.ate.rmse)) return {};
+  const double off = 100 * (1 / scores.scale.factor - 1);
+  return fmt::format(
+      "The trajectory is {:.1f} % too {}, which makes the ATE {:.1f} mm in place of {:.1f}: is "
+      "depth_units_per_metre right? stdc-slam calibrate finds it.",
+      std::abs(off), off < 0 ? "small" : "large", 1e3 * scores.ate.rmse, 1e3 * scores.scale.ate_rmse);
 }
 
 nlohmann::ordered_json scores_to_json(const TrajectoryScores& scores) {
@@ -51,6 +68,7 @@ nlohmann::ordered_json scores_to_json(const TrajectoryScores& scores) {
           {"rpe_frame_rotation_deg", statistics_to_json(scores.rpe_frame_rotation)},
           {"rpe_second_translation_m", statistics_to_json(scores.rpe_second_translation)},
           {"rpe_second_rotation_deg", statistics_to_json(scores.rpe_second_rotation)},
+          {"scale", {{"factor", scores.scale.factor}, {"ate_rmse_m", scores.scale.ate_rmse}}},
           {"truth_from_estimate",
            {{"translation_m", {t.x(), t.y(), t.z()}}, {"rotation_xyzw", {q.x(), q.y(), q.z(), q.w()}}}}};
 }

@@ -52,11 +52,18 @@ function distributionSection(run) {
   return parts.length ? section("distribution", "Distribution", element("div", { class: "plots" }, parts)) : null;
 }
 
+function scaleNote(scores) {
+  const scale = scores.scale;
+  if (!scale) return ""; // a run of an older version
+  const off = 100 * (1 / scale.factor - 1);
+  return ` The estimate is ${Math.abs(off).toFixed(2)} % too ${off < 0 ? "small" : "large"}; with the best scale the ATE is ${(1e3 * scale.ate_rmse_m).toFixed(1)} mm.`;
+}
+
 function onePage(run) {
   const s = run.summary, parts = [element("p", { class: "verdict" }, verdict(run)), tiles(run), warningsBox(run.warnings)];
   parts.push(trajectorySection(run), timeSection(run));
   if (s.scores) parts.push(section("scores", "Scores", scoresTable(s.scores),
-    note(`After rigid alignment; pairs and numbers are those of evo and of the TUM tools. ${at(s, "scores.off_by_5_cm")} of ${at(s, "scores.pairs")} poses are off by more than 5 cm.`)));
+    note(`After rigid alignment; pairs and numbers are those of evo and of the TUM tools. ${at(s, "scores.off_by_5_cm")} of ${at(s, "scores.pairs")} poses are off by more than 5 cm.${scaleNote(s.scores)}`)));
   parts.push(distributionSection(run));
   if (s.stage_milliseconds) parts.push(section("stages", "Where the time went", stagesTable(s.stage_milliseconds)));
   if (run.loops) parts.push(section("loops", "Loops", loopsTable(run)));
