@@ -2,11 +2,11 @@
 // docs/simulation.md.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
 
+#include "commands/command.hpp"
 #include "composed_sequence.hpp"
 #include "input/layouts/tum_sequence.hpp"
 #include "simulation/compose/passage.hpp"
@@ -112,31 +112,35 @@ void compose(const Options& options) {
 int run(int argc, char** argv) {
   constexpr int kBadInput = 2;
   Options options;
-  CLI::App app{"Pastes a mover, with its depth and its mask, into a recorded sequence in TUM layout"};
-  app.add_option("SEQUENCE", options.sequence, "Folder of the recording")->required();
-  app.add_option("--output", options.output, "Folder to make")->required();
-  app.add_option("--mover", options.mover, "board, box or person")->capture_default_str();
-  app.add_option("--share", options.passage.share, "Of the view that the board covers, on average")
-      ->check(CLI::Range(0.1, 0.95))
-      ->capture_default_str();
-  app.add_option("--frames", options.passage.frames, "For how long the board covers it, or the box passes")
-      ->check(CLI::Range(10, 100000))
-      ->capture_default_str();
-  app.add_option("--start", options.passage.start,
-                 "Frame in which the passage begins; default: in the middle")
-      ->check(CLI::Range(0, 1000000));
-  app.add_option("--distance", options.distance,
-                 "From the camera, along its gaze [m]; default: 1, person 1.5, or less to be before what was "
-                 "recorded")
-      ->check(CLI::Range(0.2, 5.0));
-  app.add_option("--seed", options.passage.seed, "Of textures and noise")->capture_default_str();
-  app.add_option("--camera", options.camera, "camera.yaml; default: as stdc-slam run finds it");
+  auto program = app::Program::tool(
+      "compose_movers",
+      "Pastes a mover, with its depth and its mask, into a recorded sequence in TUM layout");
+  app::Command command = program.root();
+  command.add_option("SEQUENCE", options.sequence, "Folder of the recording").required();
+  command.add_option("--output", options.output, "Folder to make").required();
+  command.add_option("--mover", options.mover, "board, box or person").capture_default_str();
+  command.add_option("--share", options.passage.share, "Of the view that the board covers, on average")
+      .in_range(0.1, 0.95)
+      .capture_default_str();
+  command
+      .add_option("--frames", options.passage.frames, "For how long the board covers it, or the box passes")
+      .in_range(10, 100000)
+      .capture_default_str();
+  command
+      .add_option("--start", options.passage.start,
+                  "Frame in which the passage begins; default: in the middle")
+      .in_range(0, 1000000);
+  command
+      .add_option(
+          "--distance", options.distance,
+          "From the camera, along its gaze [m]; default: 1, person 1.5, or less to be before what was "
+          "recorded")
+      .in_range(0.2, 5.0);
+  command.add_option("--seed", options.passage.seed, "Of textures and noise").capture_default_str();
+  command.add_option("--camera", options.camera, "camera.yaml; default: as stdc-slam run finds it");
+  command.callback([&] { compose(options); });
   try {
-    app.parse(argc, argv);
-    compose(options);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadInput;
+    return program.run(argc, argv);
   } catch (const Error& error) {
     std::fprintf(stderr, "compose_movers: %s\n", error.what());
     return kBadInput;

@@ -1,7 +1,6 @@
 // score_mesh: a dense map of a rendered sequence against the surfaces of the room. See docs/dense-map.md.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "commands/command.hpp"
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/random.hpp"
@@ -216,23 +216,25 @@ void score(const Options& options) {
 }  // namespace stdc
 
 int main(int argc, char** argv) {
-  CLI::App app("Scores a dense map of a rendered sequence against the surfaces of the room.");
   stdc::Options options;
-  app.add_option("PRESET", options.preset, "Name of the preset, as for stdc-slam render")->required();
-  app.add_option("SEQUENCE", options.sequence, "Its folder")->required();
-  app.add_option("MESH", options.mesh, "PLY of run --dense")->required();
-  app.add_option("TRAJECTORY", options.trajectory, "trajectory.txt of the same run, to align by")->required();
-  app.add_option("--seed", options.seed, "As for stdc-slam render");
-  app.add_flag("--by-trajectory", options.by_trajectory,
-               "Align by the trajectory alone, not by the surface too");
-  app.add_option("--ghosts", options.ghosts,
-                 "File for points that are far from any true surface: x y z distance");
-  CLI11_PARSE(app, argc, argv);
+  auto program = stdc::app::Program::tool(
+      "score_mesh", "Scores a dense map of a rendered sequence against the surfaces of the room.");
+  stdc::app::Command command = program.root();
+  command.add_option("PRESET", options.preset, "Name of the preset, as for stdc-slam render").required();
+  command.add_option("SEQUENCE", options.sequence, "Its folder").required();
+  command.add_option("MESH", options.mesh, "PLY of run --dense").required();
+  command.add_option("TRAJECTORY", options.trajectory, "trajectory.txt of the same run, to align by")
+      .required();
+  command.add_option("--seed", options.seed, "As for stdc-slam render");
+  command.add_flag("--by-trajectory", options.by_trajectory,
+                   "Align by the trajectory alone, not by the surface too");
+  command.add_option("--ghosts", options.ghosts,
+                     "File for points that are far from any true surface: x y z distance");
+  command.callback([&] { stdc::score(options); });
   try {
-    stdc::score(options);
+    return program.run(argc, argv);
   } catch (const stdc::Error& error) {
     fmt::print(stderr, "score_mesh: {}\n", error.what());
     return 2;
   }
-  return 0;
 }

@@ -109,13 +109,17 @@ void Command::require_subcommand() { app_->require_subcommand(1); }
 
 void Command::allow_extras() { app_->allow_extras(); }
 
-Program::Program(const std::string& description, const std::string& version)
+Program::Program(const std::string& name, const std::string& description, int subcommands)
     : app_(std::make_unique<CLI::App>(description)) {
-  app_->set_version_flag("--version", version);
-  app_->require_subcommand(1);
-  app_->failure_message([](const CLI::App*, const CLI::Error& error) {
-    return std::string("stdc-slam: ") + error.what() + "; run with --help to see the options\n";
+  app_->require_subcommand(subcommands);
+  app_->failure_message([name](const CLI::App*, const CLI::Error& error) {
+    return name + ": " + error.what() + "; run with --help to see the options\n";
   });
+}
+
+Program::Program(const std::string& description, const std::string& version)
+    : Program("stdc-slam", description, 1) {
+  app_->set_version_flag("--version", version);
 }
 
 Program::~Program() = default;

@@ -78,6 +78,10 @@ struct ExitStatus {
 class Program {
  public:
   Program(const std::string& description, const std::string& version);
+  /// A developers' tool: one command, that of root(), without subcommands.
+  static Program tool(const std::string& name, const std::string& description) {
+    return Program(name, description, 0);
+  }
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -90,6 +94,8 @@ class Program {
   int run(int argc, char** argv);
 
  private:
+  Program(const std::string& name, const std::string& description, int subcommands);
+
   std::unique_ptr<CLI::App> app_;
 };
 
