@@ -92,11 +92,7 @@ void find_scale(const CalibrateOptions& options, const SequenceInput& input, con
 
 CalibrationRecord calibrate_input(const CalibrateOptions& options) {
   CalibrationRecord record;
-  auto source = open_source(options.input.path, options.input.source);
-  if (source->is_live()) {
-    throw Error(source->where(), "is a live camera, which has no end to look at",
-                "record it first: stdc-slam record");
-  }
+  auto source = open_recorded_input(options.input);
   const SequenceInput first(options.input, std::move(source));
   record.name = first.name;
   record.given = first.cameras;

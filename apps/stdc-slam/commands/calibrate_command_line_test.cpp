@@ -31,7 +31,7 @@ TEST_F(CalibrateCommandLine, RefusesWhatTellsNothing) {
   expect_refusal("calibrate s --quiet --output o", "too few to tell anything");
   expect_refusal("calibrate nowhere --output o", "nowhere");
   expect_refusal("calibrate s --distance 0 --output o", "--distance");
-  expect_refusal("calibrate openni2: --camera s/camera.yaml --output o", "openni2:");
+  expect_refusal("calibrate openni2: --camera s/camera.yaml --output o", "openni2:: is a live camera");
 }
 
 }  // namespace

@@ -21,11 +21,7 @@ struct InfoOptions {
 };
 
 void show_info(const InfoOptions& options) {
-  auto source = open_source(options.input.path, options.input.source);
-  if (source->is_live()) {
-    throw Error(source->where(), "is a live camera, which has no end to look at",
-                "record it first: stdc-slam record");
-  }
+  auto source = open_recorded_input(options.input);
   std::optional<RgbdCameras> cameras;
   if (options.input.camera) cameras = read_cameras(*options.input.camera);
   const std::optional<RgbdCameras> used = cameras ? cameras : source->cameras();

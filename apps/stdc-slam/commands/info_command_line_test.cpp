@@ -92,6 +92,8 @@ TEST_F(InfoCommandLine, RefusesWhatIsNoInput) {
   make_sequence(1);
   expect_refusal("info s --input-kind elephant",
                  "--input-kind: there is no kind 'elephant'; give one of openni2, tum");
+  expect_refusal("info openni2:", "openni2:: is a live camera");
+  expect_refusal("info s --input-kind openni2", "s: is a live camera");
   expect_refusal("info s --color /camera/color", "s: is of the kind tum, which has no topics");
 }
 

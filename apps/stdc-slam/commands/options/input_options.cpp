@@ -1,5 +1,10 @@
 #include "commands/options/input_options.hpp"
 
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "input/open_source.hpp"
+
 namespace stdc::app {
 
 void add_input_options(Command command, InputOptions& options) {
@@ -32,6 +37,20 @@ void add_truth_option(Command command, InputOptions& options) {
 
 void add_frames_option(Command command, InputOptions& options) {
   command.add_option("--frames", options.frames, "Only frames A to B-1, counted from 0").type_name("A:B");
+}
+
+std::unique_ptr<FrameSource> open_recorded_input(const InputOptions& options) {
+  const SourceKind* kind = recognise_source(options.path);
+  if (const std::string& given = options.source.kind; !given.empty()) {
+    const auto kinds = source_kinds();
+    const auto found = std::ranges::find_if(kinds, [&](const SourceKind& one) { return given == one.name; });
+    kind = found != kinds.end() ? &*found : nullptr;  // open_source() says what is wrong with it
+  }
+  if (kind != nullptr && kind->is_live) {
+    throw Error(options.path.string(), "is a live camera, which has no end to look at",
+                "record it first: stdc-slam record");
+  }
+  return open_source(options.path, options.source);
 }
 
 }  // namespace stdc::app

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "commands/command.hpp"
+#include "input/frame_source.hpp"
 #include "run/sequence_input.hpp"
 
 namespace stdc::app {
@@ -16,5 +19,9 @@ void add_input_options(Command command, InputOptions& options);
 void add_truth_option(Command command, InputOptions& options);
 /// Adds --frames A:B.
 void add_frames_option(Command command, InputOptions& options);
+
+/// Opens an input that is looked at as a whole. A live camera, which has no end, is refused before it is
+/// touched.
+std::unique_ptr<FrameSource> open_recorded_input(const InputOptions& options);
 
 }  // namespace stdc::app
