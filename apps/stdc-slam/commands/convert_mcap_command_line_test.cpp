@@ -27,6 +27,24 @@ TEST_F(ConvertMcapCommandLine, TheRecordingGivesThePosesOfTheFolder) {
   EXPECT_EQ(call("convert s --output s.mcap --quiet --overwrite").code, 0);
 }
 
+TEST_F(ConvertMcapCommandLine, TellsWhatOfTheCameraARecordingCannotHold) {
+  make_sequence(20);
+  const Outcome plain = call("convert s --output plain.mcap");
+  EXPECT_FALSE(contains(plain.err, "CameraInfo")) << plain.err;
+  std::string camera = content(folder_ / "s/camera.yaml");
+  const std::size_t at = camera.find("readout_time: ");
+  ASSERT_NE(at, std::string::npos) << camera;
+  camera.replace(at, camera.find('\n', at) - at, "readout_time: 0.02");
+  folder_.write("s/camera.yaml", camera);
+  const Outcome outcome = call("convert s --output s.mcap");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(
+      contains(outcome.err, "s.mcap: CameraInfo has no place for the camera's readout_time 0.0200; run it"))
+      << outcome.err;
+  ASSERT_EQ(call("convert s --frames :1 --output one").code, 0);
+  EXPECT_EQ(trajectory("s.mcap --camera one/camera.yaml"), trajectory("s"));
+}
+
 TEST_F(ConvertMcapCommandLine, ShowsWhatARunMadeOfIt) {
   make_sequence(20);
   ASSERT_EQ(
