@@ -21,6 +21,12 @@ std::string row(const char* name, const std::optional<ErrorStatistics>& errors, 
   return line + fmt::format("  {}\n", unit);
 }
 
+/// "3.1 % too small".
+std::string scale_in_words(const ScaleFit& scale, int decimals) {
+  const double off = 100 * (1 / scale.factor - 1);
+  return fmt::format("{:.{}f} % too {}", std::abs(off), decimals, off < 0 ? "small" : "large");
+}
+
 nlohmann::ordered_json statistics_to_json(const std::optional<ErrorStatistics>& statistics) {
   if (!statistics) return {{"rmse", nullptr}, {"mean", nullptr}, {"median", nullptr}, {"max", nullptr}};
   const ErrorStatistics& errors = *statistics;
@@ -43,18 +49,17 @@ std::string format_scores(const TrajectoryScores& scores) {
 }
 
 std::string scale_text(const TrajectoryScores& scores) {
-  const double off = 100 * (1 / scores.scale.factor - 1);
-  return fmt::format("best scale: the estimate is {:.2f} % too {}; without that the ATE is {:.3f} mm",
-                     std::abs(off), off < 0 ? "small" : "large", 1e3 * scores.scale.ate_rmse);
+  return fmt::format("best scale: the estimate is {}; without that the ATE is {:.3f} mm",
+                     scale_in_words(scores.scale, 2), 1e3 * scores.scale.ate_rmse);
 }
 
 std::string scale_warning(const TrajectoryScores& scores) {
   if (!scores.scale.is_suspicious(scores.ate.rmse)) return {};
-  const double off = 100 * (1 / scores.scale.factor - 1);
   return fmt::format(
-      "The trajectory is {:.1f} % too {}, which makes the ATE {:.1f} mm in place of {:.1f}: is "
-      "depth_units_per_metre right? stdc-slam calibrate finds it.",
-      std::abs(off), off < 0 ? "small" : "large", 1e3 * scores.ate.rmse, 1e3 * scores.scale.ate_rmse);
+      "The trajectory is {}, which makes the ATE {:.1f} mm in place of {:.1f}: is depth_units_per_metre "
+      "right? "
+      "stdc-slam calibrate finds it.",
+      scale_in_words(scores.scale, 1), 1e3 * scores.ate.rmse, 1e3 * scores.scale.ate_rmse);
 }
 
 nlohmann::ordered_json scores_to_json(const TrajectoryScores& scores) {
