@@ -121,8 +121,12 @@ const SourceKind* recognise_source(const fs::path& path) {
   return kind == kKinds.end() ? nullptr : &*kind;
 }
 
+const SourceKind& source_kind_of(const fs::path& path, const SourceOptions& options) {
+  return options.kind.empty() ? kind_of(path) : kind_named(options.kind);
+}
+
 std::unique_ptr<FrameSource> open_source(const fs::path& path, const SourceOptions& options) {
-  const SourceKind& kind = options.kind.empty() ? kind_of(path) : kind_named(options.kind);
+  const SourceKind& kind = source_kind_of(path, options);
   check_options(kind, path, options);
   return kind.open(path, options);
 }

@@ -29,6 +29,10 @@ std::string source_kind_names();
 /// The kind that a path looks like; nullptr if it is none.
 const SourceKind* recognise_source(const std::filesystem::path& path);
 
+/// The kind as which open_source() opens it: what the options name, else what it looks like. Throws Error if
+/// there is none.
+const SourceKind& source_kind_of(const std::filesystem::path& path, const SourceOptions& options);
+
 /// Opens a file or folder of any kind. Throws Error if it is of none, for an unknown kind, for an option that
 /// the kind does not take, and as the kind does.
 std::unique_ptr<FrameSource> open_source(const std::filesystem::path& path,

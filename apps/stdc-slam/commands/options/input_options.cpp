@@ -1,7 +1,5 @@
 #include "commands/options/input_options.hpp"
 
-#include <algorithm>
-
 #include "core/error.hpp"
 #include "input/open_source.hpp"
 
@@ -40,13 +38,7 @@ void add_frames_option(Command command, InputOptions& options) {
 }
 
 std::unique_ptr<FrameSource> open_recorded_input(const InputOptions& options) {
-  const SourceKind* kind = recognise_source(options.path);
-  if (const std::string& given = options.source.kind; !given.empty()) {
-    const auto kinds = source_kinds();
-    const auto found = std::ranges::find_if(kinds, [&](const SourceKind& one) { return given == one.name; });
-    kind = found != kinds.end() ? &*found : nullptr;  // open_source() says what is wrong with it
-  }
-  if (kind != nullptr && kind->is_live) {
+  if (source_kind_of(options.path, options.source).is_live) {
     throw Error(options.path.string(), "is a live camera, which has no end to look at",
                 "record it first: stdc-slam record");
   }
