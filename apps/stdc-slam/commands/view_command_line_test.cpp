@@ -38,6 +38,7 @@ TEST_F(ViewCommandLine, APageChangesNothingAndSeesTheRun) {
   ASSERT_EQ(std::sscanf(text, "stdc-slam: live view at http://localhost:%d/", &port), 1) << text;
   const stdc::test::Line line(port);
   line.send(stdc::test::upgrade());
+  EXPECT_TRUE(contains(line.receive_head(), "101 Switching"));
   line.send(stdc::test::frame("want 31"));
   const std::string seen = line.receive(std::size_t{1} << 30U);  // to its end
   EXPECT_TRUE(contains(seen, "\"finished\":true"));

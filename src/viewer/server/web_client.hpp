@@ -16,6 +16,7 @@ class WebClient {
     std::function<bool(const std::string& message)> send;  ///< waits for the line; false: it is dead
     std::function<void()> say_goodbye;
     std::function<void()> done;  ///< all that there is has been sent, or nothing can be
+    std::function<void()> hang_up;
   };
   WebClient(ViewBoard& board, Line line);
   ~WebClient();
@@ -26,6 +27,8 @@ class WebClient {
   const ViewFeed& feed() const { return feed_; }
   /// Says goodbye when what it is sending is sent, and sends no more. Returns at once.
   void end();
+  /// Ends the line at once, whatever is being sent.
+  void hang_up() const { line_.hang_up(); }
   /// The line has taken all that there is, now.
   bool up_to_date() const { return !sending_ && feed_.up_to_date(); }
   /// Nothing can be sent any more.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "viewer/server/listening.hpp"
+#include "viewer/server/page_line.hpp"
 #include "viewer/server/sigpipe_guard.hpp"
 #include "viewer/server/thread_stacks.hpp"
 #include "viewer/server/web_client.hpp"
@@ -108,38 +109,28 @@ struct WebCallbacks {
     return server.clients_ < WebServer::kMaxClients ? 0 : 1;
   }
 
+  /// Serves a page until its line ends. CivetWeb would read from it next, and finds it ended.
   static void on_ready(mg_connection* connection, void* data) {
     auto& server = *static_cast<WebServer*>(data);
-    WebClient::Line line;
-    line.send = [connection](const std::string& message) {
-      return mg_websocket_write(connection, MG_WEBSOCKET_OPCODE_BINARY, message.data(), message.size()) > 0;
-    };
-    line.say_goodbye = [connection] {
-      constexpr std::array<char, 2> kGoingAway = {0x03, static_cast<char>(0xE9)};  // RFC 6455, 7.4.1: 1001
-      mg_websocket_write(connection, MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE, kGoingAway.data(),
-                         kGoingAway.size());
-    };
-    line.done = [&server] { server.changed(); };
-    auto client = std::make_unique<WebClient>(server.board_, std::move(line));
-    mg_set_user_connection_data(connection, client.get());
-    server.open(std::move(client));
+    const PageLine page(connection);
+    auto opened = std::make_unique<WebClient>(
+        server.board_, WebClient::Line{[page](const std::string& message) { return page.send(message); },
+                                       [page] { page.say_goodbye(PageLine::kGoingAway); },
+                                       [&server] { server.changed(); }, [page] { page.hang_up(); }});
+    WebClient& client = *opened;
+    if (server.open(std::move(opened))) {
+      page.listen([&](const ViewRequest& request) { server.receive(client, request); },
+                  [&client] { return client.dead(); });
+      page.hang_up();  // what is being sent need not be waited for
+      server.close(&client);
+    }
+    page.hang_up();
   }
 
-  /// @return 0 to end the connection
-  static int on_data(mg_connection* connection, int flags, char* bytes, std::size_t size, void* data) {
-    auto* client = static_cast<WebClient*>(mg_get_user_connection_data(connection));
-    if (client == nullptr || client->dead()) return 0;
-    constexpr int kWholeText = 0x80 | MG_WEBSOCKET_OPCODE_TEXT;  // pings are answered by civetweb
-    if ((flags & 0xFF) != kWholeText) return 0;
-    const auto request = parse_view_request({bytes, size});
-    if (!request) return 0;
-    static_cast<WebServer*>(data)->receive(*client, *request);
-    return 1;
-  }
-
-  static void on_close(const mg_connection* connection, void* data) {
-    auto* client = static_cast<WebClient*>(mg_get_user_connection_data(connection));
-    if (client != nullptr) static_cast<WebServer*>(data)->close(client);
+  /// What came before the line was served, which no browser sends.
+  static int on_data(mg_connection* /*connection*/, int /*flags*/, char* /*bytes*/, std::size_t /*size*/,
+                     void* /*data*/) {
+    return 0;  // end the connection
   }
 };
 
@@ -151,7 +142,7 @@ WebServer::WebServer(const WebAddress& address, ViewAccess access, ViewBoard& bo
   const std::string port = listening_port(address), head = std::to_string(kMaxHead);
   // A connected page occupies a thread; some more are for requests.
   const std::string threads = std::to_string(kMaxClients + 8);
-  const std::array<const char*, 19> options = {"listening_ports",
+  const std::array<const char*, 17> options = {"listening_ports",
                                                port.c_str(),
                                                "num_threads",
                                                threads.c_str(),
@@ -159,8 +150,6 @@ WebServer::WebServer(const WebAddress& address, ViewAccess access, ViewBoard& bo
                                                "5000",
                                                "websocket_timeout_ms",
                                                "5000",
-                                               "enable_websocket_ping_pong",
-                                               "yes",
                                                "enable_keep_alive",
                                                "no",
                                                "max_request_size",
@@ -183,7 +172,7 @@ WebServer::WebServer(const WebAddress& address, ViewAccess access, ViewBoard& bo
   if (mg_get_server_ports(context_->context, 1, &listening) == 1) port_ = listening.port;
   context_->address.port = port_;
   mg_set_websocket_handler(context_->context, "/live", &WebCallbacks::on_connect, &WebCallbacks::on_ready,
-                           &WebCallbacks::on_data, &WebCallbacks::on_close, this);
+                           &WebCallbacks::on_data, nullptr, this);
   mg_set_request_handler(context_->context, "/", &WebCallbacks::on_request, this);
 }
 
@@ -191,18 +180,22 @@ WebServer::~WebServer() {
   constexpr auto kPatience = std::chrono::milliseconds(500);
   {
     std::unique_lock lock(mutex_);
+    ends_ = true;
     for (const auto& client : open_) client->end();
     // Pages answer a goodbye by hanging up; those that do not are hung up on.
     changed_.wait_for(lock, kPatience, [this] { return open_.empty(); });
+    for (const auto& client : open_) client->hang_up();
   }
   context_.reset();
 }
 
-void WebServer::open(std::unique_ptr<WebClient> client) {
+bool WebServer::open(std::unique_ptr<WebClient> client) {
   const std::lock_guard lock(mutex_);
+  if (ends_) return false;
   open_.push_back(std::move(client));
   clients_ = static_cast<int>(open_.size());
   ++connections_;
+  return true;
 }
 
 void WebServer::receive(WebClient& client, const ViewRequest& request) {

@@ -53,7 +53,8 @@ class WebServer {
   friend struct WebCallbacks;
   struct Context;  ///< of civetweb
 
-  void open(std::unique_ptr<WebClient> client);
+  /// False: the server is about to end.
+  bool open(std::unique_ptr<WebClient> client);
   void receive(WebClient& client, const ViewRequest& request);
   void close(WebClient* client);
   void update_wanted();
@@ -69,6 +70,7 @@ class WebServer {
   mutable std::condition_variable
       changed_;  ///< a page came, went, asked for something, or has all that there is
   std::vector<std::unique_ptr<WebClient>> open_;
+  bool ends_ = false;
   std::unique_ptr<Context> context_;  ///< last: its threads use what is above
 };
 

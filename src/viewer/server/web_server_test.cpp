@@ -127,6 +127,31 @@ TEST_F(WebServerTest, EndsAConnectionThatSendsGarbage) {
   EXPECT_TRUE(contains(get(server.port(), "/"), "200 OK"));
 }
 
+TEST_F(WebServerTest, EndsAConnectionByTheHeadOfALongMessage) {
+  const WebServer server({"127.0.0.1", 0}, ViewAccess(""), board_, handlers());
+  const auto line = connect(server.port());
+  line->send(std::string_view("\x81\xff\0\0\0\0\x7f\xff\0\0\0\0\0\0", 14));  // 2 GB will follow
+  constexpr std::size_t kPiece = std::size_t{1} << 20U, kMost = 256;
+  const std::string piece(kPiece, 'a');
+  std::size_t taken = 0;
+  while (taken < kMost && line->send(piece)) ++taken;
+  EXPECT_LT(taken, kMost);  // what the two sockets hold
+  EXPECT_TRUE(soon([&server] { return server.clients() == 0; }));
+}
+
+TEST_F(WebServerTest, TellsWhyItEndsAConnection) {
+  const WebServer server({"127.0.0.1", 0}, ViewAccess(""), board_, handlers());
+  for (const auto& [bytes, code] :
+       {std::pair{frame(std::string(1000, 'a')), 1009}, std::pair{frame("nonsense"), 1008},
+        std::pair{frame("a", 0), 1002}, std::pair{frame("", 8), 1000}}) {
+    const auto line = connect(server.port());
+    line->send(bytes);
+    const std::string end = {'\x88', 2, static_cast<char>(code >> 8), static_cast<char>(code & 0xFF)};
+    EXPECT_TRUE(contains(line->receive(4), end)) << code;
+    EXPECT_TRUE(line->ended());
+  }
+}
+
 TEST_F(WebServerTest, TakesAsManyPagesAsItHasThreadsFor) {
   const WebServer server({"127.0.0.1", 0}, ViewAccess(""), board_, handlers());
   board_.post(ViewTopic::state, "state");
