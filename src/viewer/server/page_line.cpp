@@ -32,25 +32,29 @@ Received receive_some(int socket, std::span<char> buffer, std::chrono::milliseco
 
 PageLine::PageLine(mg_connection* connection) : connection_(connection), socket_(socket_of(connection)) {}
 
-bool PageLine::send(const std::string& message) const {
-  return mg_websocket_write(connection_, MG_WEBSOCKET_OPCODE_BINARY, message.data(), message.size()) > 0;
+bool PageLine::write(int opcode, std::string_view content) {
+  const std::lock_guard lock(mutex_);
+  if (said_goodbye_) return false;
+  said_goodbye_ = opcode == MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE;
+  return mg_websocket_write(connection_, opcode, content.data(), content.size()) > 0;
 }
 
-void PageLine::say_goodbye(int code) const {
+bool PageLine::send(const std::string& message) { return write(MG_WEBSOCKET_OPCODE_BINARY, message); }
+
+void PageLine::say_goodbye(int code) {
   const std::array<char, 2> bytes = {static_cast<char>(code >> 8), static_cast<char>(code & 0xFF)};
-  mg_websocket_write(connection_, MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE, bytes.data(), bytes.size());
+  write(MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE, {bytes.data(), bytes.size()});
 }
 
 void PageLine::hang_up() const {
   if (socket_ >= 0) shutdown(socket_, SHUT_RDWR);
 }
 
-void PageLine::listen(const Receive& receive, const std::function<bool()>& is_dead) const {
+void PageLine::listen(const Receive& receive, const std::function<bool()>& is_dead) {
   if (const auto code = read_requests(receive, is_dead)) say_goodbye(*code);
 }
 
-std::optional<int> PageLine::read_requests(const Receive& receive,
-                                           const std::function<bool()>& is_dead) const {
+std::optional<int> PageLine::read_requests(const Receive& receive, const std::function<bool()>& is_dead) {
   constexpr auto kPatience = std::chrono::seconds(5), kSilence = std::chrono::seconds(30);
   if (socket_ < 0) return kGoingAway;
   WebSocketReader reader(kMaxRequest);
@@ -62,7 +66,7 @@ std::optional<int> PageLine::read_requests(const Receive& receive,
       const bool is_silent = std::chrono::steady_clock::now() - heard > kSilence;
       if (reader.is_waiting() || is_silent) return kGoingAway;
       // A browser answers it by itself: what has gone without a word is found out.
-      mg_websocket_write(connection_, MG_WEBSOCKET_OPCODE_PING, nullptr, 0);
+      write(MG_WEBSOCKET_OPCODE_PING, "");
       continue;
     }
     heard = std::chrono::steady_clock::now();
@@ -76,12 +80,12 @@ std::optional<int> PageLine::read_requests(const Receive& receive,
 }
 
 /// @return  the code to end the line with
-std::optional<int> PageLine::answer(const WebSocketReader::Message& message, const Receive& receive) const {
+std::optional<int> PageLine::answer(const WebSocketReader::Message& message, const Receive& receive) {
   using Kind = WebSocketReader::Kind;
   if (message.kind == Kind::close) return kNormal;
   if (message.kind == Kind::pong) return std::nullopt;
   if (message.kind == Kind::ping) {
-    mg_websocket_write(connection_, MG_WEBSOCKET_OPCODE_PONG, message.content.data(), message.content.size());
+    write(MG_WEBSOCKET_OPCODE_PONG, message.content);
     return std::nullopt;
   }
   if (message.kind != Kind::text) return kNotUnderstood;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "viewer/server/view_request.hpp"
 #include "viewer/server/web_socket_reader.hpp"
@@ -19,24 +21,30 @@ class PageLine {
   enum Code : int { kNormal = 1000, kGoingAway = 1001, kNotUnderstood = 1008 };
 
   explicit PageLine(mg_connection* connection);
+  PageLine(const PageLine&) = delete;
+  PageLine& operator=(const PageLine&) = delete;
 
   /// A message; waits for the line. False: the line is dead.
-  bool send(const std::string& message) const;
-  void say_goodbye(int code) const;
+  bool send(const std::string& message);
+  /// Once; after it nothing is sent.
+  void say_goodbye(int code);
   /// Ends the line at once, whatever is being sent. CivetWeb closes it when it sees that.
   void hang_up() const;
 
   using Receive = std::function<void(const ViewRequest& request)>;
   /// Gives the requests of the page until its line ends, it sends what it may not, it is silent for half a
   /// minute, or `is_dead`; says goodbye if there is a reason to tell.
-  void listen(const Receive& receive, const std::function<bool()>& is_dead) const;
+  void listen(const Receive& receive, const std::function<bool()>& is_dead);
 
  private:
-  std::optional<int> read_requests(const Receive& receive, const std::function<bool()>& is_dead) const;
-  std::optional<int> answer(const WebSocketReader::Message& message, const Receive& receive) const;
+  bool write(int opcode, std::string_view content);
+  std::optional<int> read_requests(const Receive& receive, const std::function<bool()>& is_dead);
+  std::optional<int> answer(const WebSocketReader::Message& message, const Receive& receive);
 
   mg_connection* connection_;
   int socket_;  ///< of the connection, which owns it; -1: not found
+  std::mutex mutex_;
+  bool said_goodbye_ = false;
 };
 
 }  // namespace stdc

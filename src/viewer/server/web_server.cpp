@@ -112,11 +112,11 @@ struct WebCallbacks {
   /// Serves a page until its line ends. CivetWeb would read from it next, and finds it ended.
   static void on_ready(mg_connection* connection, void* data) {
     auto& server = *static_cast<WebServer*>(data);
-    const PageLine page(connection);
+    PageLine page(connection);
     auto opened = std::make_unique<WebClient>(
-        server.board_, WebClient::Line{[page](const std::string& message) { return page.send(message); },
-                                       [page] { page.say_goodbye(PageLine::kGoingAway); },
-                                       [&server] { server.changed(); }, [page] { page.hang_up(); }});
+        server.board_, WebClient::Line{[&page](const std::string& message) { return page.send(message); },
+                                       [&page] { page.say_goodbye(PageLine::kGoingAway); },
+                                       [&server] { server.changed(); }, [&page] { page.hang_up(); }});
     WebClient& client = *opened;
     if (server.open(std::move(opened))) {
       page.listen([&](const ViewRequest& request) { server.receive(client, request); },

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <thread>
 
 #include "core/error.hpp"
@@ -150,6 +151,17 @@ TEST_F(WebServerTest, TellsWhyItEndsAConnection) {
     EXPECT_TRUE(contains(line->receive(4), end)) << code;
     EXPECT_TRUE(line->ended());
   }
+}
+
+TEST_F(WebServerTest, SaysGoodbyeOnce) {
+  auto server = std::make_unique<WebServer>(WebAddress{"127.0.0.1", 0}, ViewAccess(""), board_, handlers());
+  const auto line = connect(server->port());
+  EXPECT_TRUE(soon([&server] { return server->clients() == 1; }));
+  auto ending = std::async(std::launch::async, [&server] { server.reset(); });
+  const std::string goodbye("\x88\x02\x03\xe9", 4);
+  EXPECT_EQ(line->receive(4), goodbye);
+  line->send(frame(goodbye.substr(2), 8));
+  EXPECT_EQ(line->receive(1), "");
 }
 
 TEST_F(WebServerTest, TakesAsManyPagesAsItHasThreadsFor) {
