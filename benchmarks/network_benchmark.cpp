@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "segmentation/network/network_segmenter.hpp"
 #include "segmentation/network/test_random_weights.hpp"
+#include "segmentation/network/weights_reader.hpp"
 
 namespace stdc {
 namespace {
@@ -76,6 +78,15 @@ void load(benchmark::State& state, NetworkPrecision precision) {
   for (auto _ : state) StdcNetwork(weights_of(false), {512, 384}, precision);
 }
 
+/// From the file of the weights that ship to a network that is ready; without one: only the file.
+void start(benchmark::State& state, const char* variant, bool with_network) {
+  const std::filesystem::path file = find_network_weights(variant);
+  for (auto _ : state) {
+    const NetworkWeights weights = read_network_weights(file);
+    if (with_network) NetworkSegmenter(weights, {});
+  }
+}
+
 void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Args({640, 480})->Args({512, 384})->Args({320, 224})->Unit(benchmark::kMillisecond);
 }
@@ -87,6 +98,10 @@ BENCHMARK_CAPTURE(network, stdc2_int8, true, NetworkPrecision::int8)->Apply(size
 BENCHMARK_CAPTURE(segment, fp32, NetworkPrecision::fp32)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(segment, int8, NetworkPrecision::int8)->Unit(benchmark::kMillisecond);
 BENCHMARK(class_map)->Arg(2)->Arg(19)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(start, slim_read, "slim", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(start, slim, "slim", true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(start, wide_read, "wide", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(start, wide, "wide", true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(load, fp32, NetworkPrecision::fp32)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(load, int8, NetworkPrecision::int8)->Unit(benchmark::kMillisecond);
 

@@ -23,20 +23,6 @@ struct ConvertOptions {
   bool to_mcap() const { return output.extension() == ".mcap"; }
 };
 
-/// Says what of the camera a CameraInfo has no place for.
-void tell_what_is_lost(const ConvertOptions& options, const SequenceInput& input) {
-  std::string keys;
-  if (input.camera.readout_time != 0) keys = fmt::format("readout_time {:.4f}", input.camera.readout_time);
-  if (input.camera.rotation != 0)
-    keys += fmt::format("{}rotation {}", keys.empty() ? "" : ", ", input.camera.rotation);
-  if (keys.empty()) return;
-  fmt::print(stderr,
-             "stdc-slam: {}: CameraInfo has no place for the camera's {}; run it with --camera FILE (the "
-             "camera.yaml "
-             "that convert --frames :1 --output FOLDER writes)\n",
-             options.output.string(), keys);
-}
-
 void convert(const ConvertOptions& options, const SequenceInput& input, const InterruptWatch& interrupts) {
   cv::setNumThreads(1);  // as in `run`
   const ConvertReport report =
@@ -47,7 +33,6 @@ void convert(const ConvertOptions& options, const SequenceInput& input, const In
     fmt::print(stderr, "stdc-slam: {}: {} depths of more than {:.1f} m are written as missing\n",
                input.source().where(), report.too_far, 65535 / input.camera.depth_units_per_metre);
   }
-  if (options.to_mcap()) tell_what_is_lost(options, input);
   if (options.quiet) return;
   fmt::print("{} frames{}{}{}: {}\n", report.frames,
              input.truth() ? fmt::format(", {} true poses", input.truth()->size()) : "",
@@ -62,7 +47,8 @@ depth.txt, camera.yaml, and, if the input has them, groundtruth.txt and imu.txt.
 `run` on the folder gives what it gives on the input. It appears at the end, whole, or not at all.
 
 FILE.mcap is a recording of ROS 2 messages, which Foxglove and `ros2 bag` open: colour as it is stored, registered depth
-(in metres as 32FC1 unless the input has millimetres), camera info, IMU, true poses. With --results, --map and --masks it
+(in metres as 32FC1 unless the input has millimetres), camera info, IMU, true poses, and in /stdc_slam/camera what
+camera info has no place for (readout_time, rotation): `run` on it gives what it gives on the input. With --results, --map and --masks it
 shows what a run made of it, too: /tf and /stdc_slam/path, landmarks, masks of what moves.
 
 Examples:

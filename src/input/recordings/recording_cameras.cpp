@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "input/camera_file.hpp"
 #include "input/recordings/messages/camera_of_info.hpp"
 #include "input/recordings/messages/ros_messages.hpp"
 #include "input/recordings/topic_names.hpp"
@@ -19,6 +21,13 @@ double nominal_rate(double measured) {
     if (std::abs(measured - usual) < 0.08 * usual) return usual;
   }
   return std::max(1.0, std::round(measured));
+}
+
+bool is_same_lens(const Camera& a, const Camera& b) {
+  constexpr double kSame = 1e-6;  // [px]
+  const auto same = [](double x, double y) { return std::abs(x - y) <= kSame; };
+  return a.width == b.width && a.height == b.height && same(a.fx, b.fx) && same(a.fy, b.fy) &&
+         same(a.cx, b.cx) && same(a.cy, b.cy);
 }
 
 class CameraFinder {
@@ -39,6 +48,7 @@ class CameraFinder {
     }
     RgbdCameras cameras;
     cameras.colour = camera_of(*choice_.colour_info, colour_);
+    take_what_info_lacks(cameras.colour);
     if (!is_registered(cameras.colour) && !add_depth_camera(cameras)) return result_;
     result_.cameras = cameras;
     return result_;
@@ -58,6 +68,27 @@ class CameraFinder {
     camera.depth_units_per_metre = depth_units();
     if (const auto rate = rate_of(image)) camera.frames_per_second = nominal_rate(*rate);
     return camera;
+  }
+
+  /// From the camera file that `convert` puts beside the images.
+  void take_what_info_lacks(Camera& camera) {
+    const auto topic = recording_.find_topic(kCameraFileTopic);
+    if (!topic) return;
+    recording_.start(std::array{*topic});
+    const auto message = recording_.next();
+    if (!message) return;
+    const std::string where = fmt::format("{} ({})", recording_.where(), kCameraFileTopic);
+    const RecordedTopic& recorded = recording_.topics()[static_cast<std::size_t>(*topic)];
+    try {
+      const auto text = read_string_message(recorded.serialisation, message->data);
+      if (!text || recorded.type != "std_msgs/String") throw Error(where, "is no std_msgs/String", "");
+      const Camera file = parse_camera(*text, where);
+      if (!is_same_lens(file, camera)) return;  // of another camera of the recording
+      camera.readout_time = file.readout_time;
+      camera.rotation = file.rotation;
+    } catch (const Error& error) {
+      result_.notes.push_back(fmt::format("{}: is left out: {}", where, error.problem()));
+    }
   }
 
   double depth_units() const {

@@ -17,6 +17,7 @@ struct RecordingCameras {
 };
 
 /// By CameraInfo, and for depth that is not registered to colour by tf_static or RealSense's extrinsics.
+/// What CameraInfo has no place for comes from kCameraFileTopic, if that is of the same camera.
 /// Depth of 16 bits is in millimetres (REP 118) unless a RealSense recording says otherwise. Throws Error for
 /// a CameraInfo that makes no sense. Starts the recording anew.
 RecordingCameras find_cameras(Recording& recording, const RecordingSurvey& survey, const TopicChoice& choice);

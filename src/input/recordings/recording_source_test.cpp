@@ -5,9 +5,12 @@
 #include <opencv2/core.hpp>
 
 #include "core/files/test_folder.hpp"
+#include "input/camera_file.hpp"
+#include "input/camera_file.hpp"
 #include "input/frame_decoder.hpp"
 #include "input/recordings/messages/test_messages.hpp"
 #include "input/recordings/messages/test_pattern.hpp"
+#include "input/recordings/topic_names.hpp"
 
 namespace stdc {
 namespace {
@@ -133,6 +136,29 @@ TEST(RecordingSource, TimesAreExactlyThoseThatATextWouldGive) {
   const auto source = source_of(recording);
   source->next();
   EXPECT_EQ(source->next()->timestamp, 1700000000.033333333);
+}
+
+TEST(RecordingSource, TakesWhatCameraInfoHasNoPlaceFor) {
+  const auto source_with = [](const std::string& text) {
+    test::TestRecording recording;
+    add_images(recording, {});
+    add_info(recording);
+    recording.add(kCameraFileTopic, "std_msgs/String", kStart, test::MessageWriter(Style::ros1).text(text));
+    return source_of(recording);
+  };
+  Camera camera = small_camera();
+  camera.readout_time = 0.02;
+  camera.rotation = 90;
+  const auto same = source_with(format_camera(camera));
+  EXPECT_EQ(same->cameras()->colour.readout_time, 0.02);
+  EXPECT_EQ(same->cameras()->colour.rotation, 90);
+  camera.fx += 1;
+  const auto other = source_with(format_camera(camera));
+  EXPECT_EQ(other->cameras()->colour.readout_time, 0);
+  EXPECT_EQ(other->cameras()->colour.fx, small_camera().fx);
+  const auto wrong = source_with("readout_time: soon");
+  EXPECT_EQ(wrong->cameras()->colour.readout_time, 0);
+  EXPECT_TRUE(has(wrong->notes()[0], "(/stdc_slam/camera): is left out")) << wrong->notes()[0];
 }
 
 TEST(RecordingSource, PrefersColourToInfraredAndAlignedToOtherDepth) {

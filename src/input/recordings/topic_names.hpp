@@ -6,6 +6,10 @@ namespace stdc {
 
 // What the names of topics tell, by the habits of ROS drivers.
 
+/// The camera as `convert` writes it (std_msgs/String, the text of a camera file): CameraInfo has no place
+/// for the readout time of the rows and the rotation.
+inline constexpr const char* kCameraFileTopic = "/stdc_slam/camera";
+
 /// "/camera/color" of "/camera/color/image_raw/compressed", "/device_0/sensor_1/Color_0" of RealSense's
 /// ".../Color_0/image/data".
 std::string camera_of_topic(const std::string& topic);

@@ -8,10 +8,12 @@
 #include "atlas/storage/map_file.hpp"
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
+#include "input/camera_file.hpp"
 #include "input/recordings/containers/mcap_writer.hpp"
 #include "input/recordings/messages/message_definitions.hpp"
 #include "input/recordings/messages/ros2_messages.hpp"
 #include "input/recordings/messages/stamp.hpp"
+#include "input/recordings/topic_names.hpp"
 #include "segmentation/mask_list.hpp"
 
 namespace stdc::app {
@@ -53,6 +55,12 @@ cv::Mat depth_to_write(const cv::Mat& depth, double units_per_metre) {
     for (int x = 0; x < depth.cols; ++x) to[x] = static_cast<float>(from[x] / units_per_metre);
   }
   return metres;
+}
+
+/// Once: the camera does not change.
+void write_camera_file(const LoadedFrame& frame, const Camera& camera, McapTopics& topics) {
+  topics.write(kCameraFileTopic, "std_msgs/msg/String", stamp_of_seconds(frame.timestamp),
+               ros2::string_message(format_camera(camera)));
 }
 
 void write_frame(const LoadedFrame& frame, const Camera& camera, McapTopics& topics) {
@@ -170,8 +178,10 @@ ConvertReport convert_to_mcap(const SequenceInput& input, const fs::path& path, 
   check_mcap_place(input, path, overwrite);
   ResultMessages result_messages(results);
   McapTopics topics(path);
+  const bool has_more_than_info = input.camera.readout_time != 0 || input.camera.rotation != 0;
   const ConvertReport report =
-      convert_frames(input, quiet, interrupts, [&](const LoadedFrame& frame, ConvertReport&) {
+      convert_frames(input, quiet, interrupts, [&](const LoadedFrame& frame, ConvertReport& so_far) {
+        if (has_more_than_info && so_far.frames == 0) write_camera_file(frame, input.camera, topics);
         write_frame(frame, input.camera, topics);
         result_messages.write(frame.timestamp, topics);
       });

@@ -15,6 +15,7 @@ struct Definition {
 constexpr std::array kDefinitions{
     Definition{"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     Definition{"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
+    Definition{"std_msgs/String", "string data\n"},
     Definition{"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
     Definition{"geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n"},
     Definition{"geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n"},

@@ -179,6 +179,8 @@ Message pose_message(const Header& header, const Pose& pose) {
   return CdrWriter().header(header).pose(pose).finish();
 }
 
+Message string_message(const std::string& text) { return CdrWriter(text.size() + 64).text(text).finish(); }
+
 Message image_message(const Header& header, const cv::Mat& image) {
   const std::size_t row = static_cast<std::size_t>(image.cols) * image.elemSize();
   CdrWriter writer(512 + row * static_cast<std::size_t>(image.rows));

@@ -67,6 +67,9 @@ Message imu_message(const Header& header, const Eigen::Vector3d& gyroscope,
 /// geometry_msgs/PoseStamped.
 Message pose_message(const Header& header, const Pose& pose);
 
+/// std_msgs/String.
+Message string_message(const std::string& text);
+
 struct DiagnosticStatus {
   enum class Level : std::uint8_t { ok, warning, error, stale };
   Level level = Level::ok;

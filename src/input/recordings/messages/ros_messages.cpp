@@ -158,4 +158,10 @@ std::optional<double> read_number_message(std::string_view type, Serialisation s
   return if_ok(reader, double{value});
 }
 
+std::optional<std::string> read_string_message(Serialisation serialisation, Bytes data) {
+  MessageReader reader(serialisation, data);
+  std::string text(reader.text());
+  return if_ok(reader, std::move(text));
+}
+
 }  // namespace stdc

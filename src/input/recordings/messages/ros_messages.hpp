@@ -84,6 +84,8 @@ bool is_transforms_type(std::string_view type);
 std::optional<Pose> read_transform_message(Serialisation serialisation, Bytes data);
 /// std_msgs/Float32 or Float64, by the name of its type.
 std::optional<double> read_number_message(std::string_view type, Serialisation serialisation, Bytes data);
+/// std_msgs/String.
+std::optional<std::string> read_string_message(Serialisation serialisation, Bytes data);
 /// Only the header of a message that begins with one.
 std::optional<MessageHeader> read_message_header(Serialisation serialisation, Bytes data);
 
