@@ -17,4 +17,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_LIBDIR} ${STDC_ARM64_ROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${STDC_ARM64_ROOT}/usr/share/pkgconfig)
 set(ENV{PKG_CONFIG_SYSROOT_DIR} ${STDC_ARM64_ROOT})
 
-set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${STDC_ARM64_ROOT})
+find_program(STDC_QEMU qemu-aarch64-static REQUIRED)  # where it is: a test takes the PATH away
+set(CMAKE_CROSSCOMPILING_EMULATOR ${STDC_QEMU} -L ${STDC_ARM64_ROOT})

@@ -45,7 +45,7 @@ class Listener {
   void take_diagnostics();
   void take_others();
 
-  dds_entity_t odometry_, tf_, diagnostics_, path_, landmarks_, mask_, debug_, waitset_ = 0;
+  dds_entity_t odometry_, tf_, diagnostics_, path_, landmarks_, mask_, debug_;
   mutable std::mutex mutex_;
   std::string odometry_lines_, tf_lines_, diagnostics_lines_;
   std::map<std::int64_t, Clock::time_point> arrivals_;

@@ -56,7 +56,7 @@ TEST_F(SemanticCommandLine, ADamagedMaskCostsThatMaskOnly) {
   make_sequence();
   make_masks(12);
   fs::resize_file(folder_ / "s/mask/5.png", 60);
-  const Outcome outcome = call("run s --output o --segmentation masks");
+  const Outcome outcome = call("run s --output o --segmentation masks --quiet");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "5.png")) << outcome.err;

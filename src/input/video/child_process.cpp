@@ -10,6 +10,8 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 namespace stdc {
@@ -19,6 +21,21 @@ constexpr std::size_t kMaxComplaints = 4096;
 
 void check_spawn(int code, const char* what) {
   if (code != 0) throw std::system_error(code, std::generic_category(), what);
+}
+
+/// Whether posix_spawnp will find a program, which need not be able to say that it did not: an emulator such
+/// as qemu-user starts children by fork(), and then only the child knows.
+bool is_there(const std::string& program) {
+  if (program.find('/') != std::string::npos) return access(program.c_str(), X_OK) == 0;
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path != nullptr ? path : "/bin:/usr/bin";
+  while (true) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const std::string folder(end > 0 ? rest.substr(0, end) : ".");
+    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    if (end == rest.size()) return false;
+    rest.remove_prefix(end + 1);
+  }
 }
 
 /// What the child does before it becomes the program.
@@ -114,6 +131,7 @@ void ChildProcess::start(const std::vector<std::string>& words, const File& outp
   for (const std::string& word : words)
     arguments.push_back(const_cast<char*>(word.c_str()));  // not written to
   arguments.push_back(nullptr);
+  if (!is_there(words.front())) check_spawn(ENOENT, words.front().c_str());
   const SpawnActions actions(output.number, errors.number);
   const SpawnAttributes attributes;
   check_spawn(

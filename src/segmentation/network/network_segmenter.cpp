@@ -97,7 +97,7 @@ fs::path own_file() {
 
 /// The places of a file of weights, first the one that counts: the folder that the user names, then what
 /// belongs to the program and to the library, installed (share/stdc-slam/) or not (models/), wherever they
-/// were moved.
+/// were moved, and last where `cmake --install` puts them: a program with the static library may be anywhere.
 std::vector<fs::path> places_of_weights(const fs::path& name) {
   std::vector<fs::path> places;
   if (const char* folder = std::getenv("STDC_SLAM_MODELS"))
@@ -113,6 +113,7 @@ std::vector<fs::path> places_of_weights(const fs::path& name) {
       }
     }
   }
+  places.push_back(fs::path(STDC_INSTALLED_DATA) / name);
   return places;
 }
 

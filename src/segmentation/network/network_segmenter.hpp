@@ -67,8 +67,9 @@ inline constexpr const char* kDefaultWeights = "slim";
 
 /// Where weights are that ship with the program: `models/stdc1-person-NAME.safetensors` in the folder named
 /// by the environment variable STDC_SLAM_MODELS, in share/stdc-slam/ beside the program's folder, or in the
-/// program's folder or one of the four above it (a source tree). NAME is the variant, "slim", "wide" or
-/// "permissive"; empty: kDefaultWeights. Throws Error naming all places if there is none.
+/// program's folder or one of the four above it (a source tree), or where this build would be installed. NAME
+/// is the variant, "slim", "wide" or "permissive"; empty: kDefaultWeights. Throws Error naming all places if
+/// there is none.
 std::filesystem::path find_network_weights(const std::string& variant = {});
 
 }  // namespace stdc
