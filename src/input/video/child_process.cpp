@@ -144,6 +144,7 @@ ChildProcess::~ChildProcess() { stop(); }
 void ChildProcess::stop() {
   if (id_ < 0) return;
   kill(-id_, SIGKILL);  // and what it has started: some install a script that starts the program
+  kill(id_, SIGKILL);   // in an emulator it need not have come to have its group yet
   int status = 0;
   reap(id_, status);
   id_ = -1;
