@@ -111,7 +111,8 @@ TEST_F(MapCommandLine, MapsThatWereNotJoinedStandInFilesOfTheirOwn) {
     folder_.write(fmt::format("s/rgb/{}.png", i), encode_png(mirrored, PngEffort::fast));
   }
   folder_.write("o/trajectory-map-7.txt", std::string("of an older run\n"));
-  const std::string run = "run s --segmentation off --set tracking.new_map_after=3 --save-map s.map --output ";
+  const std::string run =
+      "run s --segmentation off --set tracking.new_map_after=3 --save-map s.map --output ";
   const Outcome outcome = call(run + "o");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto summary = nlohmann::json::parse(content(folder_ / "o/summary.json"));

@@ -6,7 +6,6 @@
 
 #include "core/files/test_folder.hpp"
 #include "input/camera_file.hpp"
-#include "input/camera_file.hpp"
 #include "input/frame_decoder.hpp"
 #include "input/recordings/messages/test_messages.hpp"
 #include "input/recordings/messages/test_pattern.hpp"
