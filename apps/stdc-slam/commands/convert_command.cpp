@@ -48,8 +48,8 @@ depth.txt, camera.yaml, and, if the input has them, groundtruth.txt and imu.txt.
 
 FILE.mcap is a recording of ROS 2 messages, which Foxglove and `ros2 bag` open: colour as it is stored, registered depth
 (in metres as 32FC1 unless the input has millimetres), camera info, IMU, true poses, and in /stdc_slam/camera what
-camera info has no place for (readout_time, rotation): `run` on it gives what it gives on the input. With --results, --map and --masks it
-shows what a run made of it, too: /tf and /stdc_slam/path, landmarks, masks of what moves.
+camera info has no place for (readout_time, rotation): `run` on it gives what it gives on the input. With --results,
+--map and --masks it shows what a run made of it, too: /tf and /stdc_slam/path, landmarks, masks of what moves.
 
 Examples:
   stdc-slam convert recording.bag --output recording

@@ -41,8 +41,9 @@ bool PageLine::write(int opcode, std::string_view content) {
 
 bool PageLine::send(const std::string& message) { return write(MG_WEBSOCKET_OPCODE_BINARY, message); }
 
-void PageLine::say_goodbye(int code) {
-  const std::array<char, 2> bytes = {static_cast<char>(code >> 8), static_cast<char>(code & 0xFF)};
+void PageLine::say_goodbye(CloseCode code) {
+  const auto number = static_cast<unsigned>(code);
+  const std::array<char, 2> bytes = {static_cast<char>(number >> 8U), static_cast<char>(number & 0xFFU)};
   write(MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE, {bytes.data(), bytes.size()});
 }
 
@@ -54,9 +55,10 @@ void PageLine::listen(const Receive& receive, const std::function<bool()>& is_de
   if (const auto code = read_requests(receive, is_dead)) say_goodbye(*code);
 }
 
-std::optional<int> PageLine::read_requests(const Receive& receive, const std::function<bool()>& is_dead) {
+std::optional<CloseCode> PageLine::read_requests(const Receive& receive,
+                                                 const std::function<bool()>& is_dead) {
   constexpr auto kPatience = std::chrono::seconds(5), kSilence = std::chrono::seconds(30);
-  if (socket_ < 0) return kGoingAway;
+  if (socket_ < 0) return CloseCode::going_away;
   WebSocketReader reader(kMaxRequest);
   std::array<char, 4096> buffer{};
   for (auto heard = std::chrono::steady_clock::now(); !is_dead();) {
@@ -64,7 +66,7 @@ std::optional<int> PageLine::read_requests(const Receive& receive, const std::fu
     if (received.ended) return std::nullopt;
     if (received.size == 0) {
       const bool is_silent = std::chrono::steady_clock::now() - heard > kSilence;
-      if (reader.is_waiting() || is_silent) return kGoingAway;
+      if (reader.is_waiting() || is_silent) return CloseCode::going_away;
       // A browser answers it by itself: what has gone without a word is found out.
       write(MG_WEBSOCKET_OPCODE_PING, "");
       continue;
@@ -74,23 +76,23 @@ std::optional<int> PageLine::read_requests(const Receive& receive, const std::fu
     while (const auto message = reader.next()) {
       if (const auto code = answer(*message, receive)) return code;
     }
-    if (const auto why = reader.refusal()) return static_cast<int>(*why);
+    if (const auto why = reader.refusal()) return why;
   }
   return std::nullopt;
 }
 
 /// @return  the code to end the line with
-std::optional<int> PageLine::answer(const WebSocketReader::Message& message, const Receive& receive) {
+std::optional<CloseCode> PageLine::answer(const WebSocketReader::Message& message, const Receive& receive) {
   using Kind = WebSocketReader::Kind;
-  if (message.kind == Kind::close) return kNormal;
+  if (message.kind == Kind::close) return CloseCode::normal;
   if (message.kind == Kind::pong) return std::nullopt;
   if (message.kind == Kind::ping) {
     write(MG_WEBSOCKET_OPCODE_PONG, message.content);
     return std::nullopt;
   }
-  if (message.kind != Kind::text) return kNotUnderstood;
+  if (message.kind != Kind::text) return CloseCode::not_understood;
   const auto request = parse_view_request(message.content);
-  if (!request) return kNotUnderstood;
+  if (!request) return CloseCode::not_understood;
   receive(*request);
   return std::nullopt;
 }

@@ -17,9 +17,6 @@ namespace stdc {
 /// GB into memory before it hands them over. Sending and hanging up are for any thread.
 class PageLine {
  public:
-  /// Status codes of RFC 6455, 7.4.1.
-  enum Code : int { kNormal = 1000, kGoingAway = 1001, kNotUnderstood = 1008 };
-
   explicit PageLine(mg_connection* connection);
   PageLine(const PageLine&) = delete;
   PageLine& operator=(const PageLine&) = delete;
@@ -27,7 +24,7 @@ class PageLine {
   /// A message; waits for the line. False: the line is dead.
   bool send(const std::string& message);
   /// Once; after it nothing is sent.
-  void say_goodbye(int code);
+  void say_goodbye(CloseCode code);
   /// Ends the line at once, whatever is being sent. CivetWeb closes it when it sees that.
   void hang_up() const;
 
@@ -38,8 +35,8 @@ class PageLine {
 
  private:
   bool write(int opcode, std::string_view content);
-  std::optional<int> read_requests(const Receive& receive, const std::function<bool()>& is_dead);
-  std::optional<int> answer(const WebSocketReader::Message& message, const Receive& receive);
+  std::optional<CloseCode> read_requests(const Receive& receive, const std::function<bool()>& is_dead);
+  std::optional<CloseCode> answer(const WebSocketReader::Message& message, const Receive& receive);
 
   mg_connection* connection_;
   int socket_;  ///< of the connection, which owns it; -1: not found

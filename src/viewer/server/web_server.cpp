@@ -115,16 +115,14 @@ struct WebCallbacks {
     PageLine page(connection);
     auto opened = std::make_unique<WebClient>(
         server.board_, WebClient::Line{[&page](const std::string& message) { return page.send(message); },
-                                       [&page] { page.say_goodbye(PageLine::kGoingAway); },
+                                       [&page] { page.say_goodbye(CloseCode::going_away); },
                                        [&server] { server.changed(); }, [&page] { page.hang_up(); }});
     WebClient& client = *opened;
-    if (server.open(std::move(opened))) {
-      page.listen([&](const ViewRequest& request) { server.receive(client, request); },
-                  [&client] { return client.dead(); });
-      page.hang_up();  // what is being sent need not be waited for
-      server.close(&client);
-    }
-    page.hang_up();
+    if (!server.open(std::move(opened))) return page.hang_up();
+    page.listen([&](const ViewRequest& request) { server.receive(client, request); },
+                [&client] { return client.dead(); });
+    page.hang_up();  // what is being sent need not be waited for
+    server.close(&client);
   }
 
   /// What came before the line was served, which no browser sends.

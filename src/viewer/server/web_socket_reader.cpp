@@ -12,7 +12,7 @@ bool is_known(std::uint8_t opcode) { return opcode <= 2 || (opcode >= kFirstCont
 
 }  // namespace
 
-void WebSocketReader::refuse(Refusal why) {
+void WebSocketReader::refuse(CloseCode why) {
   refusal_ = why;
   bytes_ = {};
   fragments_.reset();
@@ -29,7 +29,7 @@ std::optional<WebSocketReader::Frame> WebSocketReader::next_frame() {
                           (!is_control || (frame.is_last && short_size <= kMaxControl)) &&
                           (is_control || (frame.opcode == kContinuation) == fragments_.has_value());
   if (!is_allowed) {
-    refuse(Refusal::protocol_error);
+    refuse(CloseCode::protocol_error);
     return std::nullopt;
   }
   const std::size_t extended = short_size == 126 ? 2 : short_size == 127 ? 8 : 0;
@@ -39,7 +39,7 @@ std::optional<WebSocketReader::Frame> WebSocketReader::next_frame() {
   for (std::size_t i = 0; i < extended; ++i) size = size << 8U | byte(2 + i);
   const std::size_t before = fragments_ && !is_control ? fragments_->content.size() : 0;
   if (!is_control && size > max_size_ - before) {
-    refuse(Refusal::too_large);
+    refuse(CloseCode::too_large);
     return std::nullopt;
   }
   if (bytes_.size() - head < size) return std::nullopt;

@@ -10,7 +10,6 @@ namespace stdc {
 namespace {
 
 using Kind = WebSocketReader::Kind;
-using Refusal = WebSocketReader::Refusal;
 using test::frame;
 
 constexpr std::size_t kMax = 300;
@@ -71,7 +70,7 @@ TEST(WebSocketReader, RefusesALongMessageByItsHead) {
     WebSocketReader reader(kMax);
     reader.add(bytes);
     EXPECT_FALSE(reader.next());
-    EXPECT_EQ(reader.refusal(), Refusal::too_large);
+    EXPECT_EQ(reader.refusal(), CloseCode::too_large);
     reader.add(std::string(100000, 'a'));
     EXPECT_FALSE(reader.next());
     EXPECT_EQ(reader.size(), 0U);
@@ -89,7 +88,7 @@ TEST(WebSocketReader, RefusesWhatTheProtocolForbids) {
     WebSocketReader reader(kMax);
     reader.add(bytes);
     EXPECT_FALSE(reader.next());
-    EXPECT_EQ(reader.refusal(), Refusal::protocol_error);
+    EXPECT_EQ(reader.refusal(), CloseCode::protocol_error);
   }
 }
 
