@@ -77,7 +77,7 @@ CalibrationProblem::CalibrationProblem(const CalibrationScene& scene, const Cali
     BundleProblem solved = posed(values);
     const Camera camera = calibrated_camera(scene_.camera, values);
     constexpr BundleSettings kTwoStages{
-        .robust_iterations = 15, .final_iterations = 10, .min_relative_decrease = 1e-5};
+        .robust_iterations = 15, .final_iterations = 10, .min_relative_decrease = 1e-5, .loss_width = 0};
     const BundleResult result = bundle_adjust(camera, solved, noise_, kTwoStages);
     if (!result.usable) return;
     estimate_noise(solved, camera);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/bundle_weights.hpp"
 #include "estimation/huber.hpp"
 #include "estimation/packed_bundle.hpp"
 #include "estimation/schur_step.hpp"
@@ -161,6 +162,7 @@ BundleResult bundle_adjust(const Camera& camera, BundleProblem& problem, const N
   solver.minimise(settings.robust_iterations, settings.min_relative_decrease, &result.iterations);
   result.final_cost = solver.classify(kInlier);
   if (settings.final_iterations > 0) {
+    if (settings.loss_width > 0) weigh_by_residuals(settings.loss_width, *packed);
     solver.minimise(settings.final_iterations, settings.min_relative_decrease, &result.iterations);
     result.final_cost = solver.classify(kInlier);
   }

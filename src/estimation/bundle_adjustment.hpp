@@ -22,8 +22,9 @@ struct BundleResult {
 };
 
 /// Levenberg-Marquardt with Schur complement over the points, Huber kernels; first all observations, then
-/// without the outliers (scheme: Mur-Artal and Tardos, 'ORB-SLAM2', T-RO 2017; Schur elimination: Triggs et
-/// al., 'Bundle Adjustment - A Modern Synthesis', 2000). Never throws; same input, same bytes.
+/// without the outliers and weighed by their residuals (scheme: Mur-Artal and Tardos, 'ORB-SLAM2', T-RO 2017;
+/// Schur elimination: Triggs et al., 'Bundle Adjustment - A Modern Synthesis', 2000; weights:
+/// `weigh_by_residuals`). Never throws; same input, same bytes.
 /// A point without an observation stays where it is, and so does a pose. Residuals, kernels and the test of
 /// what is set aside in the second stage are those of `optimise_pose`. If no pose is fixed, the first is
 /// taken as fixed. Observations that are not finite or whose point is not are left out, as outliers. The

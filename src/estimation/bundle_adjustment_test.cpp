@@ -82,6 +82,23 @@ TEST(BundleAdjustment, CostOfInliersIsAsTheNoiseSays) {
   EXPECT_NEAR(2 * result.final_cost / freedom, 1.0, 0.05);
 }
 
+TEST(BundleAdjustment, PointsOnOutlinesPullLittle) {
+  SceneOptions options = small();
+  options.noise = 0.15, options.outliers = 0, options.edge_outliers = 0;
+  BundleScene scene = make_scene(options);
+  // A fifth of the points are on outlines, found on one side of them or the other: 1.5 sigma, within the
+  // gates.
+  for (BundleObservation& o : scene.problem.observations) {
+    if (o.point % 5 == 0) o.pixel.x() += o.pose % 2 == 0 ? 1.5F : -1.5F;
+  }
+  BundleSettings settings;
+  BundleScene by_huber = scene;
+  settings.loss_width = 0;
+  ASSERT_TRUE(bundle_adjust(scene.camera, by_huber.problem, scene.sigma, settings).usable);
+  ASSERT_TRUE(bundle_adjust(scene.camera, scene.problem, scene.sigma, {}).usable);
+  EXPECT_LT(camera_error(scene, options.fixed_poses), 0.9 * camera_error(by_huber, options.fixed_poses));
+}
+
 TEST(BundleAdjustment, LeavesFixedPosesAndUnseenPointsAlone) {
   SceneOptions options = small();
   BundleScene scene = make_scene(options);

@@ -12,6 +12,9 @@ struct BundleSettings {
                "Max iterations of the second stage, without outliers");
   STDC_SETTING(double, min_relative_decrease, 1e-4, "ratio", 0, 0.1,
                "A stage ends when the cost falls by less than this share");
+  STDC_SETTING(double, loss_width, 4, "ratio", 0, 100,
+               "Cauchy weights in the second stage, of this width in multiples of the noise that the first "
+               "leaves; 0: Huber's kernel as in the first");
 };
 
 }  // namespace stdc

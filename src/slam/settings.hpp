@@ -52,7 +52,7 @@ struct Settings {
   STDC_SECTION(PlaceRecognitionSettings, place_recognition, {});
   STDC_SECTION(LoopSettings, loop_closing, {});
   STDC_SECTION(PoseGraphSettings, pose_graph, {});
-  STDC_SECTION(BundleSettings, full_bundle_adjustment, {10, 10, 1e-4});
+  STDC_SECTION(BundleSettings, full_bundle_adjustment, {10, 10, 1e-4, 4});
   STDC_SECTION(SystemSettings, system, {});
 
   /// Throws Error naming "section.field".

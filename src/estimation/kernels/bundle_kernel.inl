@@ -110,6 +110,8 @@ double classify_bundle(BundlePacket* packets, std::size_t count, const BundleVie
     for (int l = 0; l < kLanes; ++l) {
       const bool agrees = at.in_front[l] > 0 && pixel[l] <= gate.pixel;
       packet.used_inverse_sigma[l] = agrees ? packet.inverse_sigma[l] : 0.0F;
+      packet.pixel_chi_square[l] = static_cast<float>(pixel[l]);
+      packet.depth_chi_square[l] = static_cast<float>(depth[l]);
       packet.used_depth_weight[l] = agrees && depth[l] <= gate.depth ? packet.depth_weight[l] : 0.0F;
     }
   }

@@ -45,6 +45,7 @@ struct alignas(32) BundlePacket {
   float inverse_depth[kLanes];                                  ///< measured [1/m]
   float inverse_sigma[kLanes], depth_weight[kLanes];            ///< as in PosePacket
   float used_inverse_sigma[kLanes], used_depth_weight[kLanes];  ///< the same, or 0: set aside
+  float pixel_chi_square[kLanes], depth_chi_square[kLanes];     ///< squared errors in sigmas, by classify_bundle
   std::int32_t pose[kLanes], point[kLanes];
 };
 
@@ -131,8 +132,8 @@ struct Table {
   /// Linearises all observations of a bundle adjustment. Returns half of the sum of the robust costs.
   double (*linearise_bundle)(const BundlePacket* packets, std::size_t count, const BundleView* views,
                              const BundlePoint* points, const Intrinsics& camera, BundleTerm* terms);
-  /// Selects again which observations take part (as in linearise_pose). Returns half of the sum of the robust
-  /// costs of all of them.
+  /// Selects again which observations take part (as in linearise_pose), and notes the chi-squares of all.
+  /// Returns half of the sum of their robust costs.
   double (*classify_bundle)(BundlePacket* packets, std::size_t count, const BundleView* views,
                             const BundlePoint* points, const Intrinsics& camera, const Gate& gate);
   /// Eliminates the points from the damped normal equations (Schur complement).
