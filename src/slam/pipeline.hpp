@@ -111,8 +111,10 @@ class Pipeline {
   SeenFrame seen_;       ///< in the last frame, for drawing
   bool settled_ = true;  ///< false: most matches have contradicted the pose since the camera was found
   std::optional<double> last_mover_;      ///< [s] when something large moved that no segmenter knew
+  std::optional<double> last_jerk_;       ///< [s] when a pose was no hand's motion away from the last
   double map_began_ = 0;                  ///< [s] the map that was begun last
-  bool covered_ = false;                  ///< most of the view moved when it was last tracked
+  std::optional<double> last_cover_;      ///< [s] when most of the view moved
+  bool covered_ = false;                  ///< it did so within the second before the camera was lost
   int unsupported_frames_ = 0;            ///< tracked in a row by temporary points alone
   bool extends_by_depth_ = false;         ///< a pose held by temporary points that a keyframe may be made of
   bool needs_keyframe_ = false;           ///< few landmarks are left to track, and nothing large moves

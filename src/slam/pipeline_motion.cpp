@@ -12,6 +12,7 @@ namespace stdc {
 
 namespace {
 constexpr int kMaxUnsupported = 5;  ///< frames that may be tracked in a row without landmarks
+constexpr double kMemory = 1;       ///< [s] for how long something large that moved is remembered
 }  // namespace
 
 void Pipeline::reject_dynamic(TrackingResult& result) {
@@ -35,7 +36,8 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
     if (!moving.empty() && tracker_.has_last()) {
       constexpr double kCovered = 0.5;
       result.motion->dynamic_share = static_cast<double>(cv::countNonZero(moving)) / moving.total();
-      covered_ = result.motion->dynamic_share > kCovered;
+      if (result.motion->dynamic_share > kCovered) last_cover_ = last_time_;
+      covered_ = last_cover_ && *last_time_ - *last_cover_ <= kMemory;
       moving_ = moving;
       constexpr double kLarge = 0.10;
       const cv::Mat unknown = segmented_.empty() ? moving : cv::Mat(moving & ~segmented_);
@@ -51,10 +53,7 @@ void Pipeline::reject_dynamic(TrackingResult& result) {
 
 /// Whether something that no segmenter knows of moved within the last second. Only then is what has just come
 /// in suspected: in a room at rest the errors of a hand-held camera would look like motion.
-bool Pipeline::is_wary() const {
-  constexpr double kMemory = 1;  // [s]
-  return last_mover_ && *last_time_ - *last_mover_ <= kMemory;
-}
+bool Pipeline::is_wary() const { return last_mover_ && *last_time_ - *last_mover_ <= kMemory; }
 
 /// Whether a pose may be called right: the matches must determine it, and most of what is known of the static
 /// scene must be where it says. Were only the matches asked, a large thing that moves could outvote the room.
@@ -90,6 +89,11 @@ void Pipeline::judge(const TrackedFrame& frame, TrackingResult& result) {
   // If what entered the map last outvotes what has been in it for longer, it may be a thing that moves.
   constexpr double kContested = 0.02;  // [m]
   if (frame.old_offset > kContested) result.status = TrackingStatus::uncertain;
+  // No hand jerks a camera so. Matches that move together have begun to be followed, or have just been left.
+  constexpr double kJerk = 4.2;    // sigmas of the motion prior
+  constexpr double kDoubt = 0.05;  // [s]
+  if (is_wary() && frame.jump > kJerk) last_jerk_ = frame.timestamp;
+  if (last_jerk_ && frame.timestamp - *last_jerk_ < kDoubt) result.status = TrackingStatus::uncertain;
   // Just found again, the camera may be some centimetres off as long as most matches contradict its pose.
   constexpr double kAgreeing = 0.25;
   settled_ = settled_ || frame.inliers >= kAgreeing * frame.matches;

@@ -31,6 +31,8 @@ struct TrackedFrame {
   std::optional<Matrix6d> old_information;
   /// How far the camera is from where those alone have it, if that is more than chance [m].
   double old_offset = 0;
+  /// How far the camera is from where its velocity took it, in sigmas of the motion prior; 0: not known.
+  double jump = 0;
   std::optional<PosePrior>
       aligned;      ///< pose found by direct alignment; it goes before that of the motion model
   int matches = 0;  ///< keypoints matched to landmarks or temporary points, before the first optimisation

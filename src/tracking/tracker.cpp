@@ -66,6 +66,15 @@ PosePrior Tracker::motion_prior(const TrackedFrame& frame) const {
   return prior;
 }
 
+double Tracker::jump_of(const TrackedFrame& frame) const {
+  if (!last_ || !velocity_known_) return 0;
+  constexpr double kPoseSigma = 0.0025;  // [m] of the prediction, whose velocity comes from two poses
+  const double dt = frame.timestamp - last_->timestamp;
+  const Eigen::Vector3d expected = predict(frame.timestamp).centre();
+  return (frame.cam_from_world.centre() - expected).norm() /
+         std::hypot(settings_.acceleration_sigma * dt * dt, kPoseSigma);
+}
+
 std::vector<FrameMatch> Tracker::track_motion(TrackedFrame& frame, const LocalMap& local_map) const {
   frame.cam_from_world = predict(frame.timestamp);
   frame.set_motion(camera(), velocity_);
@@ -135,6 +144,7 @@ bool Tracker::refine(TrackedFrame& frame, const LocalMap& local_map, std::vector
   frame.inliers = static_cast<int>(inliers.size()) - frame.temporary_inliers;
   count(local_map, visible, inliers);
   note_missing(local_map, visible, matches);
+  frame.jump = jump_of(frame);
   return static_cast<int>(inliers.size()) >= min_inliers;
 }
 

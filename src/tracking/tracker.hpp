@@ -80,6 +80,7 @@ class Tracker {
                                             const std::vector<FrameMatch>& matches,
                                             std::vector<FrameMatch> inliers) const;
   PosePrior motion_prior(const TrackedFrame& frame) const;
+  double jump_of(const TrackedFrame& frame) const;
   void count(const LocalMap& local_map, const std::vector<int>& visible,
              const std::vector<FrameMatch>& inliers);
 

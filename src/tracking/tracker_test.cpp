@@ -100,6 +100,18 @@ TEST_F(TrackerTest, AJerkIsFoundByLookingFurther) {
   EXPECT_EQ(count_wrong(frame, view), 0);
 }
 
+TEST_F(TrackerTest, TellsHowFarAPoseIsFromWhereItsVelocityTookIt) {
+  begin();
+  TrackedFrame steady = new_frame(look(truth(2), 2), 2);
+  ASSERT_TRUE(tracker->track(steady, local).tracked);
+  EXPECT_LT(steady.jump, 1.5);
+  const Pose jumped = Pose(Eigen::Quaterniond::Identity(), {0.05, 0, 0}) * truth(2);
+  TrackedFrame frame = new_frame(look(jumped, 2), 2);
+  ASSERT_TRUE(tracker->track(frame, local).tracked);
+  EXPECT_GT(frame.jump, 4.5) << "0.05 m are 7 sigmas; the prior holds a fifth of them back";
+  EXPECT_LT(frame.jump, 7.5);
+}
+
 TEST_F(TrackerTest, ALeapIsFoundByTheReferenceKeyframe) {
   remember_true(0);  // no velocity yet, hence no prior that would hold it back
   const Pose leapt = test::camera_at(0.15, 0.05, 0.1, 0.05, -0.25, 0.1);

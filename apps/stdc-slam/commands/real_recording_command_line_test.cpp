@@ -1,4 +1,5 @@
 // Real recordings, whole and with few frames a second, as a slow computer or a starved camera gives them.
+#include <array>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -34,10 +35,11 @@ class RealRecording : public CommandLine {
     return folder_ / name;
   }
   nlohmann::json scores_of(int stride, int first) const { return scores_of(every(stride, first)); }
-  nlohmann::json scores_of(const fs::path& sequence) const {
-    const std::string output = "of_" + sequence.filename().string();
+  nlohmann::json scores_of(const fs::path& sequence, int keypoints = 1000) const {
+    const std::string output = fmt::format("of_{}_{}", sequence.filename().string(), keypoints);
     const Outcome outcome = call(
-        fmt::format("run {} --output {} --segmentation off --no-report --quiet", sequence.string(), output));
+        fmt::format("run {} --output {} --segmentation off --no-report --quiet --set features.keypoints={}",
+                    sequence.string(), output, keypoints));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return nlohmann::json::parse(content(folder_ / output / "summary.json"))["scores"];
   }
@@ -70,10 +72,17 @@ TEST_F(RealRecording, HasNoWrongPoseWhereABoxPassesNearby) {
   const std::string command = fmt::format("{} {} --mover box --output {} > /dev/null", STDC_COMPOSE_MOVERS,
                                           recording().string(), composed.string());
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  const auto scores = scores_of(composed);
-  EXPECT_EQ(scores["off_by_5_cm"], 0);
-  EXPECT_LT(scores["ate_m"]["rmse"], 0.011);
-  EXPECT_GT(scores["coverage"], 0.96);
+  // How many frames the box makes uncertain hangs on a few keypoints: the mean of some runs.
+  constexpr std::array kKeypoints{960, 980, 1000, 1020, 1040};
+  double error = 0, coverage = 0;
+  for (const int keypoints : kKeypoints) {
+    const auto scores = scores_of(composed, keypoints);
+    EXPECT_EQ(scores["off_by_5_cm"], 0) << keypoints;
+    error += scores["ate_m"]["rmse"].get<double>() / kKeypoints.size();
+    coverage += scores["coverage"].get<double>() / kKeypoints.size();
+  }
+  EXPECT_LT(error, 0.011);
+  EXPECT_GT(coverage, 0.96);
 #endif
 }
 

@@ -111,6 +111,22 @@ TEST(MotionFaults, TheViewIsBlockedAndFreeAgain) {
   EXPECT_LT(walk.worst_error({0}, 0), 0.05);
 }
 
+// The last frame before the camera is lost need not show the most of what covers it.
+TEST(MotionFaults, NoMapBeginsOnWhatCoveredTheViewShortlyBefore) {
+  const Board board(240, 240, 0.9, 5), rest(70, 240, 0.9, 5), lid(320, 240, 0.55, 11);
+  Walk walk(without_segmentation());
+  walk.go(0, 20);
+  for (int i = 0; i < 22; ++i) walk.see(21, [&](RgbdImage& image) { board.paste(image, -240 + 12 * i, 0); });
+  for (int i = 0; i < 5; ++i) walk.see(21, [&](RgbdImage& image) { rest.paste(image, 30 + 12 * i, 0); });
+  for (int i = 0; i < 60; ++i) {
+    const TrackingResult result = walk.see(21, [&](RgbdImage& image) { lid.paste(image, 0, 0); });
+    EXPECT_NE(result.status, TrackingStatus::ok) << i;
+  }
+  walk.go(21, 40);
+  EXPECT_EQ(walk.results.back().status, TrackingStatus::ok);
+  EXPECT_EQ(walk.results.back().map, MapId{0});
+}
+
 TEST(MotionFaults, WhatWasTakenAwayLosesItsLandmarks) {
   const Board box(100, 100, 1.0, 12);
   Walk walk(without_segmentation());
