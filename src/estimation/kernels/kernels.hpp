@@ -45,7 +45,7 @@ struct alignas(32) BundlePacket {
   float inverse_depth[kLanes];                                  ///< measured [1/m]
   float inverse_sigma[kLanes], depth_weight[kLanes];            ///< as in PosePacket
   float used_inverse_sigma[kLanes], used_depth_weight[kLanes];  ///< the same, or 0: set aside
-  float pixel_chi_square[kLanes], depth_chi_square[kLanes];     ///< squared errors in sigmas, by classify_bundle
+  float pixel_chi_square[kLanes], depth_chi_square[kLanes];  ///< squared errors in sigmas, by classify_bundle
   std::int32_t pose[kLanes], point[kLanes];
 };
 
