@@ -14,7 +14,7 @@ struct BundleSettings {
                "A stage ends when the cost falls by less than this share");
   STDC_SETTING(double, loss_width, 4, "ratio", 0, 100,
                "Cauchy weights in the second stage, of this width in multiples of the noise that the first "
-               "leaves; 0: Huber's kernel as in the first");
+               "leaves, wider towards the bend of Huber's kernel; 0: that alone");
 };
 
 }  // namespace stdc

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "estimation/huber.hpp"
 
 namespace stdc {
 namespace {
@@ -25,7 +28,15 @@ double noise_of(std::vector<float>& chi_squares, double expected_median, double 
 
 float reduced(float inverse_sigma, float chi_square, double width_squared) {
   if (!(inverse_sigma > 0)) return 0;  // set aside; its chi-square may be anything
-  return inverse_sigma * static_cast<float>(std::sqrt(width_squared / (width_squared + double{chi_square})));
+  return inverse_sigma / static_cast<float>(std::sqrt(1 + double{chi_square} / width_squared));
+}
+
+/// Square of Cauchy's width. It grows without bounds towards the bend of Huber's kernel, which is then as
+/// good.
+double squared_width(double times_noise, double bend_squared) {
+  const double squared = times_noise * times_noise;
+  return squared < bend_squared ? squared / (1 - squared / bend_squared)
+                                : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -47,8 +58,8 @@ MeasuredNoise measured_noise(const PackedBundle& packed) {
 
 void weigh_by_residuals(double width, PackedBundle& packed) {
   const MeasuredNoise noise = measured_noise(packed);
-  const double pixel = width * noise.pixel * width * noise.pixel;
-  const double depth = width * noise.depth * width * noise.depth;
+  const double pixel = squared_width(width * noise.pixel, kChiSquare95Pixel);
+  const double depth = squared_width(width * noise.depth, kChiSquare95Depth);
   for (kernels::BundlePacket& packet : packed.packets) {
     for (int l = 0; l < kLanes; ++l) {
       packet.used_inverse_sigma[l] = reduced(packet.used_inverse_sigma[l], packet.pixel_chi_square[l], pixel);

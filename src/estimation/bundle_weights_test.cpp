@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/random.hpp"
+#include "estimation/huber.hpp"
 
 namespace stdc {
 namespace {
@@ -55,8 +56,9 @@ TEST(BundleWeights, AreCauchysAtTheMeasuredNoise) {
   PackedBundle packed = observed(4000, 0.3, 0.2);
   kernels::BundlePacket& packet = packed.packets[7];
   const MeasuredNoise noise = measured_noise(packed);
-  packet.pixel_chi_square[2] = static_cast<float>(std::pow(4 * noise.pixel, 2));
-  packet.depth_chi_square[2] = static_cast<float>(3 * std::pow(4 * noise.depth, 2));
+  const double pixel = std::pow(4 * noise.pixel, 2), depth = std::pow(4 * noise.depth, 2);
+  packet.pixel_chi_square[2] = static_cast<float>(pixel / (1 - pixel / kChiSquare95Pixel));
+  packet.depth_chi_square[2] = static_cast<float>(3 * depth / (1 - depth / kChiSquare95Depth));
   packet.used_inverse_sigma[1] = packet.used_depth_weight[1] = 0;
   packet.pixel_chi_square[1] = packet.depth_chi_square[1] = std::numeric_limits<float>::quiet_NaN();
   weigh_by_residuals(4, packed);
@@ -64,6 +66,17 @@ TEST(BundleWeights, AreCauchysAtTheMeasuredNoise) {
   EXPECT_NEAR(packet.used_depth_weight[2], 100 / std::sqrt(4), 0.1);   // a quarter
   EXPECT_EQ(packet.used_inverse_sigma[1], 0) << "was set aside";
   EXPECT_EQ(packet.used_depth_weight[1], 0);
+}
+
+TEST(BundleWeights, LeaveAloneWhereTheNoiseIsAsExpected) {
+  PackedBundle packed = observed(4000, 0.8, 0.8);
+  weigh_by_residuals(4, packed);
+  for (const kernels::BundlePacket& packet : packed.packets) {
+    for (int l = 0; l < kLanes; ++l) {
+      EXPECT_EQ(packet.used_inverse_sigma[l], 2);
+      EXPECT_EQ(packet.used_depth_weight[l], 100);
+    }
+  }
 }
 
 }  // namespace
