@@ -47,11 +47,12 @@ class Samples(torch.utils.data.Dataset):
 
     strength: of the changes of colour and sharpness, 0..1; heights: of people, in frame heights;
     camera: share of the samples that look like an RGB-D camera's; sources: names of the kinds of
-    photos and of the scenes that are used, all of them without it.
+    photos and of the scenes that are used, all of them without it; empty: share of the samples
+    without people, instead of the usual one.
     """
 
     def __init__(self, folder, size, count, seed=0, rendered=None, strength=1.0,
-                 heights=(0.35, 3.0), camera=0.0, sources=None):
+                 heights=(0.35, 3.0), camera=0.0, sources=None, empty=None):
         self._packed = people.Packed(folder, "train")
         self._frames = people.Packed(folder, rendered) if rendered else None
         self._size, self._count, self._seed = size, count, seed
@@ -68,9 +69,9 @@ class Samples(torch.utils.data.Dataset):
         if not (self._cutouts and self._scenes):
             raise ValueError(f"--sources {' '.join(sources or ())}: without people to cut out and "
                              "scenes without people no samples can be made")
-        self._shares = self._shares_of_kinds()
+        self._shares = self._shares_of_kinds(empty)
 
-    def _shares_of_kinds(self):
+    def _shares_of_kinds(self, empty):
         """Shares of the kinds of samples that can be made; without photos of people rendered frames
         take their place."""
         shares = dict(SHARES_WITH_RENDERED if self._frames else SHARES)
@@ -78,6 +79,9 @@ class Samples(torch.utils.data.Dataset):
             photos = shares.pop("photo")
             if self._frames:
                 shares["render"] += photos
+        if empty is not None:
+            others = sum(shares.values()) - shares["empty"]
+            shares["empty"] = others * empty / (1 - empty)
         total = sum(shares.values())
         return {kind: share / total for kind, share in shares.items()}
 

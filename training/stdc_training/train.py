@@ -66,6 +66,9 @@ def parse(arguments=None):
                         metavar=("LOW", "HIGH"), help="of people, in frame heights")
     parser.add_argument("--camera", type=float, default=0.0, metavar="SHARE",
                         help="of the samples that look like an RGB-D camera's pictures")
+    parser.add_argument("--empty", type=float, metavar="SHARE",
+                        help="of the samples that show nobody, above 0 and below 1, instead of the "
+                             "usual one")
     parser.add_argument("--sources", nargs="+", metavar="NAME",
                         help="use these only: kinds of photos (ccp_masked ...) and scenes of rooms "
                              "(the beginning of their files' names)")
@@ -86,7 +89,10 @@ def parse(arguments=None):
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--evaluate-seconds", type=float, default=1200)
     parser.add_argument("--checkpoint-seconds", type=float, default=180)
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.empty is not None and not 0 < options.empty < 1:
+        parser.error(f"--empty {options.empty}: above 0 and below 1 is allowed")
+    return options
 
 
 class Trainer:
@@ -233,7 +239,7 @@ def batches(options, start):
     kind = TaughtSamples if options.teacher else Samples
     samples = kind(options.data, (options.width, options.height), options.images, options.seed,
                    options.rendered, options.strength, options.heights, options.camera,
-                   options.sources)
+                   options.sources, options.empty)
     return torch.utils.data.DataLoader(
         samples, options.batch, sampler=range(start, options.images), drop_last=True,
         num_workers=options.loaders, pin_memory=torch.cuda.is_available())

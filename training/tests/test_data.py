@@ -145,6 +145,14 @@ class DataTest(unittest.TestCase):
         shown = sum(bool((samples[i][1] == 1).any()) for i in range(40))
         self.assertGreater(shown, 15)
 
+    def test_more_samples_without_people(self):
+        samples = Samples(self.packed, (64, 48), 60, empty=0.8)
+        self.assertAlmostEqual(samples._shares["empty"], 0.8)
+        self.assertAlmostEqual(sum(samples._shares.values()), 1)
+        shown = sum(bool((samples[i][1] == 1).any()) for i in range(60))
+        self.assertGreater(shown, 3)
+        self.assertLess(shown, 25)
+
     def test_composed_labels_lie_on_the_pasted_people(self):
         packed = people.Packed(self.packed, "train")
         i = next(i for i, e in enumerate(packed.index) if e["kind"] == "ccp_masked")
