@@ -86,9 +86,7 @@ def main():
         parser.error(f"--size {options.size}: give multiples of 32")
     network, state = from_checkpoint(options.checkpoint)
     if not options.float32:
-        for parameter in network.parameters():  # calibrate what will be run
-            if parameter.dim() == 4:
-                parameter.data = parameter.data.half().float()
+        weights.round_to_half(network)
     used = state["options"]
     ranges = calibrate.activation_ranges(network,
                                          calibration_batches(options.data, options.size, used))

@@ -33,9 +33,7 @@ def random_network(architecture, seed, classes=2):
             nn.init.normal_(module.running_mean, 0, 0.2)
             nn.init.uniform_(module.running_var, 0.5, 2)
     nn.init.normal_(network.head.classify.bias, 0, 0.5)
-    for parameter in network.parameters():
-        if parameter.dim() == 4:  # what a file with 16-bit weights can hold, exactly
-            parameter.data = parameter.data.half().float()
+    weights.round_to_half(network)
     return network.eval()
 
 

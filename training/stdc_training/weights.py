@@ -41,6 +41,13 @@ def metadata(network, size, licence, ranges=None, classes=CLASSES, dynamic=None,
     return entries
 
 
+def round_to_half(network):
+    """Round the convolutions' weights as `save` does, so that what is calibrated is what will be run."""
+    for parameter in network.parameters():
+        if parameter.dim() == 4:
+            parameter.data = parameter.data.half().float()
+
+
 def save(path, network, entries, half=True):
     """Write the tensors of inference; with `half` the convolution weights as 16-bit floats."""
     tensors = {}
