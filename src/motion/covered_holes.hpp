@@ -15,4 +15,11 @@ namespace stdc {
 std::vector<std::uint8_t> find_covered_holes(const StaticScene& scene, const GridGeometry& geometry,
                                              const SceneFrame& frame);
 
+/// Of the cells that are thought to move, the holes in which the static scene is seen as the views know it:
+/// beside what stands near, a depth camera with a projector sees nothing where its light does not reach.
+/// @returns of each cell: 1 if it is one of these
+std::vector<std::uint8_t> find_uncovered_holes(const StaticScene& scene, const GridGeometry& geometry,
+                                               const SceneFrame& frame,
+                                               const std::vector<std::uint8_t>& moving);
+
 }  // namespace stdc

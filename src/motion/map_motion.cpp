@@ -110,11 +110,14 @@ std::vector<std::uint8_t> MapMotion::find_moving_points(const MotionFrame& input
 /// What stands still at present, if enough has been seen to tell. A segmenter's people move even so.
 void MapMotion::find_resting(const SceneFrame& frame, const std::vector<std::uint8_t>& segmented) {
   resting_.assign(frame.grid.depth.size(), 0);
-  if (recent_.empty() || frame.timestamp - recent_.front().timestamp < 0.9 * kPause) return;
   const std::vector<std::uint8_t> moving = moving_cells();
   if (std::find(moving.begin(), moving.end(), 255) == moving.end()) return;
-  resting_ = stdc::find_resting(scene_, geometry_, {&recent_.front(), &recent_[recent_.size() / 2]}, frame,
-                                moving, segmented);
+  if (!recent_.empty() && frame.timestamp - recent_.front().timestamp >= 0.9 * kPause) {
+    resting_ = stdc::find_resting(scene_, geometry_, {&recent_.front(), &recent_[recent_.size() / 2]}, frame,
+                                  moving, segmented);
+  }
+  const std::vector<std::uint8_t> uncovered = find_uncovered_holes(scene_, geometry_, frame, moving);
+  for (std::size_t i = 0; i < resting_.size(); ++i) resting_[i] |= uncovered[i];
 }
 
 /// Looked through with room to spare: the map's own error counts too.

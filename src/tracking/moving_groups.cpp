@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace stdc {
 namespace {
@@ -51,15 +52,34 @@ Term make_term(const SensorModel& sensor, const TrackedFrame& frame, const Frame
   return term;
 }
 
-/// Whether a group contradicts the pose that the others give. `blur` [px]: errors that the motion of the
-/// camera adds to a whole group.
-bool contradicts(const Camera& camera, const Matrix6d& information, double blur,
-                 const std::vector<const Term*>& group) {
+/// The middle one of some numbers.
+double middle_of(std::vector<double>& values) {
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), half, values.end());
+  return *half;
+}
+
+/// The middle residual of a group in the image, in x and in y: some of its matches are wrong.
+Eigen::Vector2d middle_residual(const std::vector<const Term*>& group) {
+  std::vector<double> x, y;
+  for (const Term* term : group) {
+    x.push_back(term->residual.x());
+    y.push_back(term->residual.y());
+  }
+  return {middle_of(x), middle_of(y)};
+}
+
+/// How far a group is from where the pose that the others give would put it.
+struct DeletedShift {
+  Eigen::Vector2d mean, middle;  ///< [px], over its matches
+  Eigen::Matrix2d expected;      ///< covariance of `mean` by the noise of the matches [px^2]
+};
+
+/// Nothing if it cannot be told.
+std::optional<DeletedShift> deleted_shift(const Camera& camera, const Matrix6d& information,
+                                          const std::vector<const Term*>& group) {
   constexpr std::size_t kMinSize = 5;
-  constexpr double kMinShift = 1.5;   // [px]
-  constexpr double kMapError = 0.45;  // [px] the map's own errors do not average out in a group either
-  constexpr double kGate = 9.2;       // chi-square, 2 degrees, 99 %
-  if (group.size() < kMinSize) return false;
+  if (group.size() < kMinSize) return std::nullopt;
   Vector3d centre = Vector3d::Zero(), weight = Vector3d::Zero(), residual = Vector3d::Zero();
   for (const Term* term : group) {
     centre += term->point;
@@ -71,19 +91,32 @@ bool contradicts(const Camera& camera, const Matrix6d& information, double blur,
   const Matrix36d jacobian = jacobian_at(camera, centre);
   const Matrix6d others = information - jacobian.transpose() * weight.asDiagonal() * jacobian;
   const Eigen::FullPivLU<Matrix6d> factors(others);
-  if (!factors.isInvertible()) return false;
+  if (!factors.isInvertible()) return std::nullopt;
   const Matrix6d covariance = factors.inverse();
   // Most of what is known of the pose comes from this group: there is nothing to judge it by.
-  if (!(covariance.diagonal().minCoeff() > 0)) return false;
+  if (!(covariance.diagonal().minCoeff() > 0)) return std::nullopt;
   const Matrix3d influence = jacobian * covariance * jacobian.transpose();
   constexpr double kMaxUnsure = 0.5;  // [px^2] where the others say little, neither party is to be believed
-  if (influence.topLeftCorner<2, 2>().trace() > kMaxUnsure) return false;
-  const Vector3d deleted = residual + influence * weight.cwiseProduct(residual);
+  if (influence.topLeftCorner<2, 2>().trace() > kMaxUnsure) return std::nullopt;
+  const Vector3d pulled = influence * weight.cwiseProduct(residual);
+  DeletedShift shift;
+  shift.mean = (residual + pulled).head<2>();
+  shift.middle = middle_residual(group) + pulled.head<2>();
+  shift.expected = influence.topLeftCorner<2, 2>();
+  shift.expected.diagonal() += weight.head<2>().cwiseInverse();
+  return shift;
+}
+
+/// Whether a group contradicts the pose that the others give. `blur` [px]: errors that the motion of the
+/// camera adds to a whole group.
+bool contradicts(const DeletedShift& shift, double blur) {
+  constexpr double kMinShift = 1.5;   // [px]
+  constexpr double kMapError = 0.45;  // [px] the map's own errors do not average out in a group either
+  constexpr double kGate = 9.2;       // chi-square, 2 degrees, 99 %
   const double common = kMapError + blur;
-  Eigen::Matrix2d expected = influence.topLeftCorner<2, 2>();
-  expected.diagonal() += weight.head<2>().cwiseInverse() + Eigen::Vector2d::Constant(common * common);
-  const Eigen::Vector2d shift = deleted.head<2>();
-  return shift.norm() > kMinShift + 2 * blur && shift.dot(expected.inverse() * shift) > kGate;
+  Eigen::Matrix2d expected = shift.expected;
+  expected.diagonal() += Eigen::Vector2d::Constant(common * common);
+  return shift.mean.norm() > kMinShift + 2 * blur && shift.mean.dot(expected.inverse() * shift.mean) > kGate;
 }
 
 std::vector<Term> make_terms(const SensorModel& sensor, const TrackedFrame& frame,
@@ -116,22 +149,44 @@ void for_groups(const Camera& camera, const std::vector<Term>& terms, Visit&& vi
               static_cast<int>(std::floor(std::log(term.point.z()) / kDepthStep + dz))}]
           .push_back(&term);
     }
-    for (const auto& [key, group] : groups) visit(group);
+    for (const auto& [key, group] : groups) visit(GroupPlace{variant, key[0], key[1], key[2]}, group);
   }
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
-                                             const std::vector<FrameMatch>& inliers) {
+                                             const std::vector<FrameMatch>& inliers, GroupNoise& noise) {
+  constexpr std::size_t kMinToCompare = 10;  // of so many the middle one is good to a fraction of the noise
   std::vector<std::uint8_t> moving(inliers.size(), 0);
   if (!(frame.information.diagonal().minCoeff() > 0)) return moving;
   const std::vector<Term> terms = make_terms(sensor, frame, inliers);
   const double blur = motion_blur(sensor, frame);
-  for_groups(sensor.camera, terms, [&](const std::vector<const Term*>& group) {
-    if (!contradicts(sensor.camera, frame.information, blur, group)) return;
+  struct Candidate {
+    GroupPlace place;
+    std::vector<const Term*> group;
+    double shift = 0;
+  };
+  std::vector<Candidate> candidates;
+  std::vector<double> shifts;
+  const auto mark = [&](const std::vector<const Term*>& group) {
     for (const Term* term : group) moving[static_cast<std::size_t>(term->match)] = 1;
+  };
+  for_groups(sensor.camera, terms, [&](const GroupPlace& place, const std::vector<const Term*>& group) {
+    const std::optional<DeletedShift> shift = deleted_shift(sensor.camera, frame.information, group);
+    if (!shift) return;
+    if (contradicts(*shift, blur)) mark(group);
+    if (group.size() < kMinToCompare) return;
+    candidates.push_back({place, group, shift->middle.norm()});
+    shifts.push_back(candidates.back().shift);
   });
+  if (!shifts.empty()) noise.add(frame.timestamp, middle_of(shifts));
+  const double threshold = noise.threshold(frame.timestamp);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.shift < threshold) continue;
+    noise.note_off(candidate.place);
+    if (noise.was_off(candidate.place)) mark(candidate.group);
+  }
   const auto count = std::count(moving.begin(), moving.end(), 1);
   if (2 * static_cast<std::size_t>(count) > inliers.size()) std::fill(moving.begin(), moving.end(), 0);
   return moving;
@@ -147,22 +202,11 @@ std::vector<Contradiction> find_contradicting_groups(const SensorModel& sensor, 
   const std::vector<Term> terms = make_terms(sensor, frame, matches);
   // Wider than above: in a fast turn the pose that older landmarks give is the one that suffers most.
   const double blur = 3 * motion_blur(sensor, frame);
-  for_groups(sensor.camera, terms, [&](const std::vector<const Term*>& group) {
+  for_groups(sensor.camera, terms, [&](const GroupPlace&, const std::vector<const Term*>& group) {
     if (group.size() < kMinSize) return;
-    // The middle one: some of the matches are wrong.
-    std::vector<double> x, y;
     Vector3d centre = Vector3d::Zero();
-    for (const Term* term : group) {
-      x.push_back(term->residual.x());
-      y.push_back(term->residual.y());
-      centre += term->point / static_cast<double>(group.size());
-    }
-    const auto middle = [](std::vector<double>& values) {
-      const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), half, values.end());
-      return *half;
-    };
-    const Eigen::Vector2d shift(middle(x), middle(y));
+    for (const Term* term : group) centre += term->point / static_cast<double>(group.size());
+    const Eigen::Vector2d shift = middle_residual(group);
     const Matrix36d jacobian = jacobian_at(sensor.camera, centre);
     // More: they were put into the map from a pose that was not known exactly either.
     Eigen::Matrix2d expected = 1.3 * (jacobian * covariance * jacobian.transpose()).topLeftCorner<2, 2>();

@@ -5,6 +5,7 @@
 
 #include "estimation/sensor_model.hpp"
 #include "tracking/frame_matching.hpp"
+#include "tracking/group_noise.hpp"
 #include "tracking/tracked_frame.hpp"
 
 namespace stdc {
@@ -20,10 +21,11 @@ namespace stdc {
 /// RGB-D Cameras', ICRA 2017).
 /// @param frame    with its pose and the information of that
 /// @param inliers  matches that the pose was found from
+/// @param noise    how far groups were off of late; takes note of this frame's
 /// @returns per match 1 if it belongs to a group that moves; all 0 if most would: which party rests cannot be
 ///          told from the matches alone
 std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const TrackedFrame& frame,
-                                             const std::vector<FrameMatch>& inliers);
+                                             const std::vector<FrameMatch>& inliers, GroupNoise& noise);
 
 /// How sure it is that a match belongs to a group that contradicts a pose.
 enum class Contradiction : std::uint8_t { none, likely, sure };

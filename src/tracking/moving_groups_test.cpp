@@ -18,6 +18,7 @@ struct WallAndBox {
   SensorModel sensor;
   TrackedFrame frame;
   std::vector<FrameMatch> matches;
+  GroupNoise noise;
 
   /// @param shift  by which the box is seen elsewhere than the map has it [px]
   explicit WallAndBox(const Eigen::Vector2f& shift) {
@@ -64,26 +65,26 @@ std::pair<int, int> marked(const std::vector<std::uint8_t>& moving) {
 
 TEST(MovingGroups, NothingMoves) {
   const WallAndBox scene(Eigen::Vector2f::Zero());
-  EXPECT_EQ(marked(find_moving_groups(scene.sensor, scene.frame, scene.matches)), std::pair(0, 0));
+  EXPECT_EQ(marked(find_moving_groups(scene.sensor, scene.frame, scene.matches, scene.noise)), std::pair(0, 0));
 }
 
 TEST(MovingGroups, ABoxThatMovesByLessThanTheGateOfOneMatch) {
   const WallAndBox scene(Eigen::Vector2f(2.5F, -1.5F));
-  EXPECT_EQ(marked(find_moving_groups(scene.sensor, scene.frame, scene.matches)),
+  EXPECT_EQ(marked(find_moving_groups(scene.sensor, scene.frame, scene.matches, scene.noise)),
             std::pair(0, WallAndBox::kBox));
 }
 
 TEST(MovingGroups, WhoMovesCannotBeToldWhereMostOfTheMatchesWould) {
   WallAndBox scene(Eigen::Vector2f(2.5F, -1.5F));
   scene.matches.erase(scene.matches.begin(), scene.matches.end() - WallAndBox::kBox - 8);
-  const std::vector<std::uint8_t> moving = find_moving_groups(scene.sensor, scene.frame, scene.matches);
+  const std::vector<std::uint8_t> moving = find_moving_groups(scene.sensor, scene.frame, scene.matches, scene.noise);
   EXPECT_EQ(std::accumulate(moving.begin(), moving.end(), 0), 0);
 }
 
 TEST(MovingGroups, WithoutInformationNothingIsSaid) {
   WallAndBox scene(Eigen::Vector2f(2.5F, -1.5F));
   scene.frame.information.setZero();
-  EXPECT_EQ(marked(find_moving_groups(scene.sensor, scene.frame, scene.matches)), std::pair(0, 0));
+  EXPECT_EQ(marked(find_moving_groups(scene.sensor, scene.frame, scene.matches, scene.noise)), std::pair(0, 0));
 }
 
 TEST(ContradictingGroups, AgreeWithAPoseFoundWithoutThem) {

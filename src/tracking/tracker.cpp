@@ -206,7 +206,10 @@ void Tracker::forget_dynamic(const cv::Mat& mask) {
   }
 }
 
-void Tracker::clear_last() { last_.reset(); }
+void Tracker::clear_last() {
+  last_.reset();
+  group_noise_.clear();
+}
 
 void Tracker::follow(const Atlas& atlas) {
   if (!last_) return;

@@ -10,6 +10,7 @@
 #include "estimation/sensor_model.hpp"
 #include "tracking/direct_alignment.hpp"
 #include "tracking/frame_matching.hpp"
+#include "tracking/group_noise.hpp"
 #include "tracking/local_map.hpp"
 #include "tracking/tracked_frame.hpp"
 #include "tracking/tracking_settings.hpp"
@@ -73,7 +74,7 @@ class Tracker {
   std::vector<FrameMatch> track_motion(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> track_reference(TrackedFrame& frame, const LocalMap& local_map) const;
   std::vector<FrameMatch> optimise(TrackedFrame& frame, std::vector<FrameMatch> matches) const;
-  std::vector<FrameMatch> drop_moving_groups(TrackedFrame& frame, std::vector<FrameMatch> inliers) const;
+  std::vector<FrameMatch> drop_moving_groups(TrackedFrame& frame, std::vector<FrameMatch> inliers);
   void align_refused(const LocalMap& local_map, const std::vector<FrameMatch>& matches,
                      const std::vector<FrameMatch>& inliers, TrackedFrame& frame) const;
   std::vector<FrameMatch> drop_young_groups(TrackedFrame& frame, const LocalMap& local_map,
@@ -103,6 +104,7 @@ class Tracker {
   Vector6d velocity_ = Vector6d::Zero();  ///< twist of the camera per second
   bool velocity_known_ = false;
   bool wary_ = false;
+  GroupNoise group_noise_;
   std::vector<Count> counts_;
   std::vector<MissingLandmark> missing_;
 };
