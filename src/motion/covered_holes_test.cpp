@@ -45,6 +45,17 @@ struct WallWithHole {
     const std::vector<std::uint8_t> covered = find_covered_holes(scene, geometry, now);
     return static_cast<int>(std::count(covered.begin(), covered.end(), 1));
   }
+  /// Cells found to show the wall, of all that are said to move, after a view of the whole wall.
+  int uncovered(int columns, std::uint8_t grey) {
+    const SceneFrame view = frame(0, 100, 0);
+    const auto cells = static_cast<std::size_t>(geometry.size());
+    scene.add(view, std::vector<float>(cells, 0), std::vector<std::uint8_t>(cells, 0));
+    const SceneFrame now = frame(columns, grey, 1);
+    scene.choose(now);
+    const std::vector<std::uint8_t> found =
+        find_uncovered_holes(scene, geometry, now, std::vector<std::uint8_t>(cells, 255));
+    return static_cast<int>(std::count(found.begin(), found.end(), 1));
+  }
 };
 
 TEST(CoveredHoles, WhatIsTooNearForTheSensorIsFoundByItsLooks) {
@@ -59,6 +70,13 @@ TEST(CoveredHoles, OtherHolesTellNothing) {
       << "the view has the same hole, as of a screen";
   EXPECT_EQ(WallWithHole().found(0, width / 10, 180), 0) << "small";
   EXPECT_EQ(WallWithHole().found(0, width / 3, 180, 3), 0) << "the camera turns fast";
+}
+
+TEST(UncoveredHoles, ShowTheWallWhereTheySeemAsItDid) {
+  const int width = WallWithHole().geometry.width(), height = WallWithHole().geometry.height();
+  EXPECT_EQ(WallWithHole().uncovered(width / 10, 104), width / 10 * height) << "a shadow of the projector";
+  EXPECT_EQ(WallWithHole().uncovered(width / 10, 180), 0) << "something stands there";
+  EXPECT_EQ(WallWithHole().uncovered(0, 100), 0) << "what has a depth is not for looks to judge";
 }
 
 }  // namespace

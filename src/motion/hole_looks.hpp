@@ -6,8 +6,9 @@
 
 namespace stdc {
 
-/// Whether what is seen in the holes of a frame's depth looks as the static scene there does: where there is no
-/// depth, looks alone tell. Holes that the views have as well, such as those of a black screen, tell nothing.
+/// Whether what is seen in the holes of a frame's depth looks as the static scene there does: where there is
+/// no depth, looks alone tell. Holes that the views have as well, such as those of a black screen, tell
+/// nothing.
 struct HoleLooks {
   cv::Mat compared, changed;  ///< of each cell, CV_8UC1: 1 if a view knows it; if it looks otherwise in one
 

@@ -95,8 +95,9 @@ void StaticScene::choose(const SceneFrame& frame) {
   }
 }
 
-std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) const {
+std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) {
   std::vector<CellFinding> findings(frame.grid.depth.size());
+  DepthNoise::Frame noise;
   for (const std::size_t index : chosen_) {
     const SceneView& view = views_[index];
     const GridProjection project(view.view_from_world * frame.cam_from_world.inverse(), geometry_);
@@ -108,10 +109,12 @@ std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) const {
       if (seen < 0) return;
       const auto i = static_cast<std::size_t>(seen);
       if (view.grid.near[i] == 0) return;
-      const float tolerated = tolerance(there);
+      const float tolerated = measured_tolerance(there);
       CellFinding& finding = findings[static_cast<std::size_t>(cell)];
       // At the outline of a thing the cell beside it may be the one that is seen there.
       const float behind = there * frame.grid.far[static_cast<std::size_t>(cell)] / depth;
+      if (view.beside_hole[i] == 0 && view.doubtful[i] == 0)
+        noise.add((view.grid.near[i] - behind) / tolerance(there));
       if (behind < view.grid.near[i] - tolerated) {
         // Of what stands in a hole nobody knows the depth; but it is no other thing than what is around it.
         constexpr float kFarBefore = 0.45F;
@@ -124,6 +127,7 @@ std::vector<CellFinding> StaticScene::compare(const SceneFrame& frame) const {
       }
     });
   }
+  noise_.add(frame.timestamp, noise);
   return findings;
 }
 
@@ -140,7 +144,7 @@ void StaticScene::find_receding(const SceneFrame& earlier, const SceneFrame& fra
     const auto i = static_cast<std::size_t>(seen);
     // The other way round, too: at an outline the earlier frame must not have shown both.
     const float behind = there * earlier.grid.far[static_cast<std::size_t>(cell)] / depth;
-    if (frame.grid.near[i] > behind + tolerance(there) && frame.grid.far[i] < there + kMaxStep) {
+    if (frame.grid.near[i] > behind + measured_tolerance(there) && frame.grid.far[i] < there + kMaxStep) {
       findings[i].recedes = true;
     }
   });

@@ -7,6 +7,7 @@
 #include "core/ids.hpp"
 #include "core/pose.hpp"
 #include "motion/depth_grid.hpp"
+#include "motion/depth_noise.hpp"
 #include "motion/motion_settings.hpp"
 
 namespace stdc {
@@ -62,7 +63,7 @@ class StaticScene {
   /// Chooses the views that tell most about a frame: for `compare` and `learn`.
   void choose(const SceneFrame& frame);
   /// What the chosen views say about each cell.
-  std::vector<CellFinding> compare(const SceneFrame& frame) const;
+  std::vector<CellFinding> compare(const SceneFrame& frame);
   /// Marks the cells whose surface recedes since an earlier frame: where it goes nobody has seen before, so
   /// views cannot tell.
   void find_receding(const SceneFrame& earlier, const SceneFrame& frame,
@@ -97,11 +98,13 @@ class StaticScene {
   const std::vector<SceneView>& views() const { return views_; }
   /// The views that `choose` has chosen.
   const std::vector<std::size_t>& chosen() const { return chosen_; }
-  /// Differences of depth within this are noise [m].
+  /// Differences of depth within this are noise, whatever the sensor [m].
   float tolerance(float depth) const {
     return static_cast<float>(settings_.depth_tolerance) +
            static_cast<float>(settings_.depth_tolerance_growth) * depth * depth;
   }
+  /// Differences within this are noise in this recording.
+  float measured_tolerance(float depth) const { return noise_.factor() * tolerance(depth); }
 
  private:
   void learn_from(const SceneFrame& frame, SceneView& view);
@@ -110,6 +113,7 @@ class StaticScene {
 
   const GridGeometry& geometry_;
   MotionSettings settings_;
+  DepthNoise noise_;
   std::vector<SceneView> views_;  ///< by frame
   std::vector<std::size_t> chosen_;
 };

@@ -23,7 +23,7 @@ void StaticScene::doubt(const SceneFrame& frame, const std::vector<std::uint8_t>
       const int seen = project.cell(x, y, depth, there);
       if (seen < 0) return;
       const auto i = static_cast<std::size_t>(seen);
-      if (std::abs(view.grid.depth[i] - there) > tolerance(there)) return;
+      if (std::abs(view.grid.depth[i] - there) > measured_tolerance(there)) return;
       if (view.rest[i] >= static_cast<float>(settings_.rest_time)) return;
       view.doubtful[i] = 1;
       view.rest[i] = 0;
@@ -49,7 +49,7 @@ void StaticScene::learn_from(const SceneFrame& frame, SceneView& view) {
     if (seen < 0) return;
     const float near = frame.grid.near[static_cast<std::size_t>(seen)];
     if (near == 0) return;
-    const float tolerated = tolerance(there);
+    const float tolerated = measured_tolerance(there);
     if (near > there + tolerated) {
       view.rest[i] -= kLoss;
       if (view.rest[i] >= 0) return;

@@ -23,7 +23,7 @@ void GroupNoise::add(double timestamp, double shift) {
 }
 
 double GroupNoise::threshold(double timestamp) const {
-  constexpr double kKnown = 0.5;   // [s]
+  constexpr double kKnown = 0.5;  // [s]
   constexpr double kFactor = 6, kMin = 0.4;
   if (entries_.empty() || timestamp - entries_.front().timestamp < kKnown)
     return std::numeric_limits<double>::infinity();

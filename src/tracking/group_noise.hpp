@@ -10,8 +10,8 @@ namespace stdc {
 using GroupPlace = std::array<int, 4>;
 
 /// How far groups of matches at rest are off in this recording: a good sensor in a sharp image shows a motion
-/// of half a pixel, a Kinect in a hand has errors of a pixel in most seconds. And where groups were off by much
-/// in the last frame, since what moves goes on moving.
+/// of half a pixel, a Kinect in a hand has errors of a pixel in most seconds. And where groups were off by
+/// much in the last frame, since what moves goes on moving.
 class GroupNoise {
  public:
   /// Of a frame [s]: the middle one of its groups' shifts [px]. A frame seen again counts once.

@@ -97,11 +97,11 @@ std::vector<FrameMatch> Tracker::drop_young_groups(TrackedFrame& frame, const Lo
 }
 
 /// Takes out what moves, and finds the pose again without it.
-std::vector<FrameMatch> Tracker::drop_moving_groups(TrackedFrame& frame,
-                                                    std::vector<FrameMatch> inliers) {
+std::vector<FrameMatch> Tracker::drop_moving_groups(TrackedFrame& frame, std::vector<FrameMatch> inliers) {
   constexpr int kRounds = 2;  // a better pose may show more
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<std::uint8_t> moving = find_moving_groups(estimator_.sensor, frame, inliers, group_noise_);
+    const std::vector<std::uint8_t> moving =
+        find_moving_groups(estimator_.sensor, frame, inliers, group_noise_);
     std::vector<FrameMatch> resting;
     for (std::size_t i = 0; i < inliers.size(); ++i) {
       if (moving[i] == 0) resting.push_back(inliers[i]);
