@@ -24,7 +24,7 @@ float DepthNoise::Frame::level() const {
 
 void DepthNoise::add(double timestamp, const Frame& frame) {
   constexpr double kSpan = 3, kKnown = 1;  // [s]
-  constexpr float kReserve = 2.5F, kMin = 0.33F;
+  constexpr float kReserve = 3.0F, kMin = 0.4F;
   entries_.push_back({timestamp, frame.level()});
   while (entries_.front().timestamp < timestamp - kSpan) entries_.pop_front();
   factor_ = 1;

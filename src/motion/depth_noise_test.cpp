@@ -20,8 +20,8 @@ float factor_after(double seconds, float gap) {
 }
 
 TEST(DepthNoise, FollowsTheRecordingWithinBounds) {
-  EXPECT_FLOAT_EQ(factor_after(3, 0.02F), 0.33F) << "less is not believed";
-  EXPECT_NEAR(factor_after(3, 0.2F), 0.6F, 0.1F);
+  EXPECT_FLOAT_EQ(factor_after(3, 0.02F), 0.4F) << "less is not believed";
+  EXPECT_NEAR(factor_after(3, 0.2F), 0.7F, 0.1F);
   EXPECT_FLOAT_EQ(factor_after(3, 0.7F), 1.0F);
 }
 

@@ -182,10 +182,18 @@ std::vector<std::uint8_t> find_moving_groups(const SensorModel& sensor, const Tr
   });
   if (!shifts.empty()) noise.add(frame.timestamp, middle_of(shifts));
   const double threshold = noise.threshold(frame.timestamp);
+  std::vector<std::uint8_t> off(inliers.size(), 0);
   for (const Candidate& candidate : candidates) {
     if (candidate.shift < threshold) continue;
     noise.note_off(candidate.place);
-    if (noise.was_off(candidate.place)) mark(candidate.group);
+    if (!noise.was_off(candidate.place)) continue;
+    for (const Term* term : candidate.group) off[static_cast<std::size_t>(term->match)] = 1;
+  }
+  // Where many are off by so little, it may be the others that move and have taken the pose along.
+  constexpr double kMaxShare = 0.12;
+  if (static_cast<double>(std::count(off.begin(), off.end(), 1)) <
+      kMaxShare * static_cast<double>(off.size())) {
+    for (std::size_t i = 0; i < off.size(); ++i) moving[i] |= off[i];
   }
   const auto count = std::count(moving.begin(), moving.end(), 1);
   if (2 * static_cast<std::size_t>(count) > inliers.size()) std::fill(moving.begin(), moving.end(), 0);

@@ -95,8 +95,8 @@ TEST(MovingGroups, InAQuietRecordingAMotionOfLessThanAPixelIsFoundInItsSecondFra
   scene.frame.timestamp = 3;
   std::vector<std::uint8_t> moved;  // a picture on the wall, a tenth of it
   for (Measurement& measurement : scene.frame.measurements) {
-    const bool inside = measurement.pixel.x() > 100 && measurement.pixel.x() < 250 &&
-                        measurement.pixel.y() > 100 && measurement.pixel.y() < 250;
+    const bool inside = measurement.pixel.x() > 100 && measurement.pixel.x() < 230 &&
+                        measurement.pixel.y() > 100 && measurement.pixel.y() < 230;
     moved.push_back(inside ? 1 : 0);
     if (inside) measurement.pixel += Eigen::Vector2f(0.8F, 0.4F);
   }
