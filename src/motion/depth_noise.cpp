@@ -23,7 +23,8 @@ float DepthNoise::Frame::level() const {
 }
 
 void DepthNoise::add(double timestamp, const Frame& frame) {
-  constexpr double kSpan = 3, kKnown = 1;  // [s]
+  constexpr double kSpan = 3,
+                   kKnown = 2.9;  // [s] a camera may begin at rest, which shows less than its motion
   constexpr float kReserve = 3.0F, kMin = 0.4F;
   entries_.push_back({timestamp, frame.level()});
   while (entries_.front().timestamp < timestamp - kSpan) entries_.pop_front();

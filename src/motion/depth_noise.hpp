@@ -24,7 +24,7 @@ class DepthNoise {
   };
 
   void add(double timestamp, const Frame& frame);
-  /// To multiply the tolerance by, from 0.4 to 1; 1 until a second is known.
+  /// To multiply the tolerance by, from 0.4 to 1; 1 until three seconds are known.
   float factor() const { return factor_; }
 
  private:

@@ -29,9 +29,9 @@ TEST(DepthNoise, UntilASecondIsKnownAllIsTolerated) { EXPECT_FLOAT_EQ(factor_aft
 
 TEST(DepthNoise, WhatMovesDoesNotCountAndWhatBeginsToMoveNotAtOnce) {
   DepthNoise noise;
-  for (int i = 0; i < 90; ++i) noise.add(i / 30.0, frame_of(0.1F));
+  for (int i = 0; i < 91; ++i) noise.add(i / 30.0, frame_of(0.1F));
   const float before = noise.factor();
-  for (int i = 90; i < 105; ++i) noise.add(i / 30.0, frame_of(0.8F));
+  for (int i = 91; i < 105; ++i) noise.add(i / 30.0, frame_of(0.8F));
   EXPECT_FLOAT_EQ(noise.factor(), before);
   for (int i = 105; i < 120; ++i) noise.add(i / 30.0, frame_of(0.8F));
   EXPECT_FLOAT_EQ(noise.factor(), 1.0F);

@@ -24,14 +24,15 @@ void GroupNoise::add(double timestamp, double shift) {
 
 double GroupNoise::threshold(double timestamp) const {
   constexpr double kKnown = 0.5;  // [s]
-  constexpr double kFactor = 6, kMin = 0.4;
+  constexpr double kFactor = 6, kMin = 0.4, kMax = 1;
   if (entries_.empty() || timestamp - entries_.front().timestamp < kKnown)
     return std::numeric_limits<double>::infinity();
   std::vector<double> shifts;
   for (const Entry& entry : entries_) shifts.push_back(entry.shift);
   const auto middle = shifts.begin() + static_cast<std::ptrdiff_t>(shifts.size() / 2);
   std::nth_element(shifts.begin(), middle, shifts.end());
-  return std::max({kMin, kFactor * *middle, 2 * entries_.back().shift});
+  const double threshold = std::max({kMin, kFactor * *middle, 2 * entries_.back().shift});
+  return threshold < kMax ? threshold : std::numeric_limits<double>::infinity();
 }
 
 void GroupNoise::clear() {

@@ -16,7 +16,9 @@ class GroupNoise {
  public:
   /// Of a frame [s]: the middle one of its groups' shifts [px]. A frame seen again counts once.
   void add(double timestamp, double shift);
-  /// A shift of this many pixels is that of no group at rest; infinite before half a second is known.
+  /// A shift of this many pixels is that of no group at rest; infinite before half a second is known, and
+  /// where it would be a pixel or more: then errors are so large that those that move may have taken the pose
+  /// along.
   double threshold(double timestamp) const;
 
   /// Whether a group at this place, or a neighbouring one, was off in the frame before this one.
