@@ -51,7 +51,7 @@ class MapMotion : public MotionDetector {
   FollowedPoints points_;
   static constexpr std::size_t kLag = 5;  ///< [frames] between those compared for what recedes
   static constexpr double kYoung = 3;     ///< [s] in which a map begins
-  static constexpr double kPause = 0.4;   ///< [s] after which a thing that has stopped is seen to stand
+  static constexpr double kPause = 0.5;   ///< [s] after which a thing that has stopped is seen to stand
   std::optional<SceneFrame> last_;
   std::deque<SceneFrame> recent_;       ///< of the last kPause, and at least kLag frames
   std::vector<std::uint8_t> doubtful_;  ///< cells of the last frame that may move

@@ -120,7 +120,7 @@ std::vector<std::uint8_t> find_resting(const StaticScene& scene, const GridGeome
                                        const std::vector<const SceneFrame*>& earlier, const SceneFrame& frame,
                                        const std::vector<std::uint8_t>& moving,
                                        const std::vector<std::uint8_t>& never) {
-  constexpr double kMaxChanged = 0.06, kMinCompared = 0.6;
+  constexpr double kMaxChanged = 0.04, kMinCompared = 0.6;
   std::vector<std::uint8_t> resting(moving.size(), 0);
   if (earlier.empty() || frame.grid.grey.empty()) return resting;
   const Surfaces surfaces = find_surfaces(geometry, frame.grid, moving);
